@@ -1,0 +1,19 @@
+//! Motion graphs: from clips to an authored motion.
+//!
+//! The methods are those of Arikan & Forsyth 2002, *Interactive Motion Generation from
+//! Examples* (AF02), with Heck & Gleicher 2007, *Parametric Motion Graphs* (PMG), to follow.
+//!
+//! Conventions: metres, radians, seconds; Y up, +Z forward, +X to the left of a body that looks
+//! along +Z, right-handed; frames counted from 0. Transforms are named `world_from_torso`, so
+//! that products read themselves right.
+//!
+//! This crate has no clock, no IO, no UI and no serde: results depend on arguments alone.
+
+pub mod clip;
+pub mod ground;
+pub mod ids;
+pub mod motion;
+pub mod planar;
+pub mod rotation;
+pub mod skeleton;
+pub mod units;

@@ -1,0 +1,27 @@
+//! `gaitway`: say where a person must be, how and when; get the motion, cut from motion capture.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "the one crate with a terminal")]
+
+mod args;
+mod commands;
+mod output;
+
+use std::process::ExitCode;
+
+use crate::args::Args;
+use crate::output::Failure;
+
+fn main() -> ExitCode {
+    output::report_panics_in_one_line();
+    let result = args::parse(std::env::args_os()).and_then(run);
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn run(args: Args) -> Result<(), Failure> {
+    match args.command {
+        Some(command) => commands::run(&args.common, command),
+        None => commands::sample::run(&args.common),
+    }
+}

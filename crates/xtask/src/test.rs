@@ -1,0 +1,30 @@
+//! `cargo xtask test`.
+
+use crate::step::{Steps, cargo, succeeds};
+use crate::system;
+
+/// Everything CI runs, cheapest first.
+pub(crate) fn run() -> anyhow::Result<()> {
+    system::install_missing()?;
+    let mut steps = Steps::default();
+    steps.run("formatting", &mut cargo(&["fmt", "--all", "--", "--check"]))?;
+    steps.run(
+        "lints",
+        &mut cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]),
+    )?;
+    steps.run(
+        "documentation",
+        cargo(&["doc", "--workspace", "--no-deps", "--document-private-items", "--locked"])
+            .env("RUSTDOCFLAGS", "-D warnings"),
+    )?;
+    // Unit tests, integration tests and doctests. The rules of the workspace (who may depend on
+    // whom, what a source file looks like) are tests too, in `tests/headless`.
+    steps.run("tests", &mut cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]))?;
+    if succeeds(&mut cargo(&["deny", "--version"])) {
+        // Advisories need a database from the network, which CI may not have.
+        steps.run("licences", &mut cargo(&["deny", "check", "licenses", "bans", "sources"]))?;
+    } else {
+        steps.skip("licences", "cargo-deny is not installed (`cargo install cargo-deny`)");
+    }
+    steps.finish()
+}

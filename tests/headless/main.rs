@@ -1,0 +1,5 @@
+//! Rules that hold for the whole workspace, and tests that need several crates but no window.
+
+mod dependency_rules;
+mod house_rules;
+mod manifest;

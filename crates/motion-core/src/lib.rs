@@ -10,6 +10,8 @@
 //! This crate has no clock, no IO, no UI and no serde: results depend on arguments alone.
 
 pub mod clip;
+pub mod contacts;
+pub mod floor;
 pub mod ground;
 pub mod ids;
 pub mod motion;

@@ -14,6 +14,7 @@ pub mod contacts;
 pub mod floor;
 pub mod ground;
 pub mod ids;
+pub mod ik;
 pub mod motion;
 pub mod planar;
 pub mod rotation;

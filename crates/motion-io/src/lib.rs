@@ -1,0 +1,15 @@
+//! Files in and out. Every failure names the file, the line and a way out; no input panics.
+//!
+//! | format | in | out |
+//! | --- | --- | --- |
+//! | `.bvh` | [`bvh::read`] | [`bvh::write`] |
+//!
+//! Reading begins with [`read_file`](read_file::read_file), which keeps to the [`limits`];
+//! writing ends with [`atomic_write`](atomic_write::atomic_write).
+
+pub mod atomic_write;
+pub mod bvh;
+pub mod diagnostic;
+pub mod limits;
+pub mod read_file;
+pub mod text;

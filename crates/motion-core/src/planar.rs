@@ -90,6 +90,13 @@ impl PlanarTransform {
         }
     }
 
+    /// The same placement in the mirror at x = 0: heading and x negated. Its own inverse.
+    #[inline]
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self { sin: -self.sin, x_m: -self.x_m, ..self }
+    }
+
     /// A vector on the ground, turned.
     #[inline]
     pub fn turn_ground(self, v: Vec2) -> Vec2 {

@@ -1,5 +1,7 @@
 //! Bodies: a tree of joints with a rest pose.
 
+pub mod mirror;
+pub mod names;
 pub mod roles;
 
 use std::collections::HashMap;

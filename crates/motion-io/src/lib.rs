@@ -2,7 +2,8 @@
 //!
 //! | format | in | out |
 //! | --- | --- | --- |
-//! | `.bvh` | [`bvh::read`] | [`bvh::write`] |
+//! | `.bvh` | [`bvh::read`] | [`bvh::write`](bvh::write()) |
+//! | `.gaitway` | [`project_file::load`] | [`project_file::save`] |
 //!
 //! Reading begins with [`read_file`](read_file::read_file), which keeps to the [`limits`];
 //! writing ends with [`atomic_write`](atomic_write::atomic_write).
@@ -10,6 +11,8 @@
 pub mod atomic_write;
 pub mod bvh;
 pub mod diagnostic;
+pub mod json;
 pub mod limits;
+pub mod project_file;
 pub mod read_file;
 pub mod text;

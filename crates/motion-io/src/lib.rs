@@ -4,15 +4,20 @@
 //! | --- | --- | --- |
 //! | `.bvh` | [`bvh::read`] | [`bvh::write`](bvh::write()) |
 //! | `.gaitway` | [`project_file::load`] | [`project_file::save`] |
+//! | `.gwlib` | [`container::Container`] | [`container::ContainerWriter`] |
+//! | `report.json`, `timing.json` | | [`report_file::save`] |
 //!
 //! Reading begins with [`read_file`](read_file::read_file), which keeps to the [`limits`];
 //! writing ends with [`atomic_write`](atomic_write::atomic_write).
 
 pub mod atomic_write;
 pub mod bvh;
+pub mod bytes;
+pub mod container;
 pub mod diagnostic;
 pub mod json;
 pub mod limits;
 pub mod project_file;
 pub mod read_file;
+pub mod report_file;
 pub mod text;

@@ -335,30 +335,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::skeleton::Joint;
-
-    const TOE_BELOW_HIPS_M: f32 = 0.86;
-
-    fn joint(name: &str, parent: Option<u32>, offset_m: [f32; 3]) -> Joint {
-        let parent = parent.map(JointIdx);
-        Joint { name: name.into(), parent, offset_m: offset_m.into(), end_site_m: None }
-    }
-
-    /// Hips and two legs; with rotations at rest the toes are 0.86 m below the hips.
-    fn legs() -> Skeleton {
-        Skeleton::new(vec![
-            joint("Hips", None, [0.0; 3]),
-            joint("LeftUpLeg", Some(0), [0.1, 0.0, 0.0]),
-            joint("LeftLeg", Some(1), [0.0, -0.4, 0.0]),
-            joint("LeftFoot", Some(2), [0.0, -0.4, 0.0]),
-            joint("LeftToeBase", Some(3), [0.0, -0.06, 0.1]),
-            joint("RightUpLeg", Some(0), [-0.1, 0.0, 0.0]),
-            joint("RightLeg", Some(5), [0.0, -0.4, 0.0]),
-            joint("RightFoot", Some(6), [0.0, -0.4, 0.0]),
-            joint("RightToeBase", Some(7), [0.0, -0.06, 0.1]),
-        ])
-        .expect("valid by construction")
-    }
+    use crate::testing::{TOE_BELOW_HIPS_M, joint, legs};
 
     /// The stiff body stands for 1 s with its toe joints at each height in turn and jumps 0.5 m
     /// ahead in between (0.4 s, 0.3 m up).

@@ -9,6 +9,7 @@
 //!
 //! This crate has no clock, no IO, no UI and no serde: results depend on arguments alone.
 
+pub mod assemble;
 pub mod clip;
 pub mod contacts;
 pub mod floor;
@@ -20,3 +21,6 @@ pub mod planar;
 pub mod rotation;
 pub mod skeleton;
 pub mod units;
+
+#[cfg(test)]
+mod testing;

@@ -71,6 +71,18 @@ impl Motion {
         Ok(Self { fps, n_joints, root_positions_m, rotations })
     }
 
+    /// A motion from parts that keep the invariants already (pieces of checked motions).
+    pub(crate) fn from_unit_parts(
+        fps: Fps,
+        n_joints: usize,
+        root_positions_m: Vec<Vec3>,
+        rotations: Vec<Quat>,
+    ) -> Self {
+        debug_assert!(n_joints > 0 && !root_positions_m.is_empty(), "an empty motion");
+        debug_assert_eq!(rotations.len(), root_positions_m.len() * n_joints, "a ragged motion");
+        Self { fps, n_joints, root_positions_m, rotations }
+    }
+
     /// The sampling rate.
     #[inline]
     pub fn fps(&self) -> Fps {

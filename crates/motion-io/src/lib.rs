@@ -7,6 +7,9 @@
 //! | `.gwlib` | [`container::Container`] | [`container::ContainerWriter`] |
 //! | `report.json`, `timing.json` | | [`report_file::save`] |
 //!
+//! [`import::import_files`] makes a library's clips of files and folders; [`guess`] recognises what
+//! files do not say.
+//!
 //! Reading begins with [`read_file`](read_file::read_file), which keeps to the [`limits`];
 //! writing ends with [`atomic_write`](atomic_write::atomic_write).
 
@@ -14,7 +17,10 @@ pub mod atomic_write;
 pub mod bvh;
 pub mod bytes;
 pub mod container;
+pub mod content_hash;
 pub mod diagnostic;
+pub mod guess;
+pub mod import;
 pub mod json;
 pub mod limits;
 pub mod project_file;

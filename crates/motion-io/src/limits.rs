@@ -30,8 +30,9 @@ pub const MAX_JOINT_CHANNELS: usize = 6;
 /// Most frames of one motion file: an hour at 120 Hz is less than half of it.
 pub const MAX_CLIP_FRAMES: usize = 1_000_000;
 
-/// Most frames of all clips of one import together, at the library's rate: 46 hours at 30 Hz.
-pub const MAX_LIBRARY_FRAMES: usize = 5_000_000;
+/// Most frames of all clips of one import together, at the library's rate: 18 hours at 30 Hz,
+/// about 1 GB for a body of 31 joints.
+pub const MAX_LIBRARY_FRAMES: usize = 2_000_000;
 
 /// Most motion files of one import.
 pub const MAX_LIBRARY_FILES: usize = 100_000;

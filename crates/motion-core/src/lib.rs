@@ -16,6 +16,7 @@ pub mod floor;
 pub mod ground;
 pub mod ids;
 pub mod ik;
+pub mod measure;
 pub mod motion;
 pub mod planar;
 pub mod rotation;

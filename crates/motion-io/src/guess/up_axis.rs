@@ -64,8 +64,14 @@ pub fn guess_up_axis(skeleton: &Skeleton, motion: &Motion) -> Guess<UpAxis> {
         n_frames += 1;
     }
     let mean = sum / n_frames.max(1) as f32;
-    let (value, upright) = if mean.z > mean.y { (UpAxis::Z, mean.z) } else { (UpAxis::Y, mean.y) };
-    if upright >= MIN_UPRIGHT { Guess { value, sure: true } } else { unsure }
+    let size = mean.abs();
+    let (value, upright, other) = if mean.z > mean.y {
+        (UpAxis::Z, mean.z, size.x.max(size.y))
+    } else {
+        (UpAxis::Y, mean.y, size.x.max(size.z))
+    };
+    let sure = upright >= MIN_UPRIGHT && upright >= MIN_RATIO * other;
+    if sure { Guess { value, sure } } else { unsure }
 }
 
 #[cfg(test)]

@@ -26,4 +26,5 @@ pub mod limits;
 pub mod project_file;
 pub mod read_file;
 pub mod report_file;
+pub mod roles_file;
 pub mod text;

@@ -14,14 +14,17 @@ use crate::diagnostic::{FileError, Warnings};
 use crate::guess::{self, Conform, Guess, LengthUnit, UpAxis};
 use crate::limits::MAX_MOTION_FILE_BYTES;
 use crate::read_file::read_file;
+use crate::roles_file::RoleOverrides;
 
 /// What overrides the guesses.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Metres of one file unit; recognised where left out.
     pub metres_per_unit: Option<f64>,
     /// Which axis is up; recognised where left out.
     pub up: Option<UpAxis>,
+    /// Which joints play which roles; recognised from names where left out.
+    pub roles: RoleOverrides,
     /// Keeps a T-pose before the motion.
     pub keep_tpose: bool,
 }
@@ -81,6 +84,7 @@ pub(super) fn read_motion(
     let file = bvh::read(bytes, path, warnings)?;
     let (skeleton, motion) = file.to_motion(1.0, path, warnings)?;
     drop(file);
+    let skeleton = options.roles.apply(skeleton, path, warnings);
 
     let (n_frames, fps) = (motion.n_frames(), motion.fps());
     let n_tpose_frames =

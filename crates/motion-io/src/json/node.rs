@@ -57,7 +57,7 @@ impl<'a> Node<'a> {
                 Step::Index(idx) => place.push_str(&format!("[{idx}]")),
             }
         }
-        if place.is_empty() { "the project".to_owned() } else { place }
+        if place.is_empty() { "the file".to_owned() } else { place }
     }
 
     fn line(&self) -> u32 {

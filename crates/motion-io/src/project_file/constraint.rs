@@ -51,7 +51,7 @@ fn decode_kind(object: &mut Object<'_>) -> Result<ConstraintKind, FileError> {
         "body" => ConstraintKind::Body {
             frame: frame(object, "frame")?,
             position_m: object.require("position", "[0, 0]")?.numbers(MAX_ABS_PLACE_M)?,
-            heading_deg: object.require("heading", "0")?.number(MAX_HEADING_DEG)?,
+            heading_deg: heading(object)?,
             height_m: height(object)?,
         },
         "joint" => ConstraintKind::Joint {
@@ -71,7 +71,7 @@ fn decode_kind(object: &mut Object<'_>) -> Result<ConstraintKind, FileError> {
                 .get("position")
                 .map(|node| node.numbers(MAX_ABS_PLACE_M))
                 .transpose()?,
-            heading_deg: object.get("heading").map(|n| n.number(MAX_HEADING_DEG)).transpose()?,
+            heading_deg: heading(object)?,
             height_m: height(object)?,
         },
         "style" => {
@@ -131,6 +131,10 @@ fn decode_tolerance(node: Node<'_>) -> Result<Tolerance, FileError> {
 
 fn frame(object: &mut Object<'_>, key: &'static str) -> Result<u32, FileError> {
     object.require(key, "0")?.whole_number(MAX_PROJECT_FRAMES)
+}
+
+fn heading(object: &mut Object<'_>) -> Result<Option<f64>, FileError> {
+    object.get("heading").map(|node| node.number(MAX_HEADING_DEG)).transpose()
 }
 
 fn height(object: &mut Object<'_>) -> Result<Option<f64>, FileError> {

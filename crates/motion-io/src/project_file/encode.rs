@@ -102,7 +102,7 @@ fn encode_constraint(constraint: &Constraint) -> Value {
         ConstraintKind::Body { frame, position_m, heading_deg, height_m } => {
             members.put("frame", *frame);
             members.put("position", position_m.as_slice());
-            members.put("heading", *heading_deg);
+            members.put_some("heading", *heading_deg);
             members.put_some("height", *height_m);
         }
         ConstraintKind::Joint { frame, joint, position_m, velocity_m_s } => {

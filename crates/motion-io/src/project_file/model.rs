@@ -155,8 +155,8 @@ pub enum ConstraintKind {
         frame: u32,
         /// `[x, z]` on the ground, metres.
         position_m: [f64; 2],
-        /// Where it looks: 0 is +Z, 90 is +X.
-        heading_deg: f64,
+        /// Where it looks: 0 is +Z, 90 is +X; anywhere where left out.
+        heading_deg: Option<f64>,
         /// Height of what the body stands on, metres.
         height_m: Option<f64>,
     },

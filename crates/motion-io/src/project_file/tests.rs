@@ -163,10 +163,10 @@ fn broken_json_is_refused_with_its_line() {
             "p.gaitway:1: the JSON is broken at column 17: number out of range; mend it, or \
              restore an older copy",
         ),
-        ("[1]", "p.gaitway:1: the project is not an object; write {…}"),
+        ("[1]", "p.gaitway:1: the file is not an object; write {…}"),
         (
             "{\"name\": 1}",
-            "p.gaitway:1: the project has no \"gaitway\"; check that it is the right file, or add \
+            "p.gaitway:1: the file has no \"gaitway\"; check that it is the right file, or add \
              \"gaitway\": 1",
         ),
     ] {
@@ -297,9 +297,10 @@ fn wrong_constraints_are_refused_with_their_line() {
          which is not within ±10000; write a smaller number",
     );
     check_error(
-        "[3.0, 1.0], \"heading\": 90.0",
-        "[3.0, 1.0]",
-        "p.gaitway:17: characters[0].constraints[1] has no \"heading\"; add \"heading\": 0",
+        "\"heading\": 90.0",
+        "\"heading\": \"left\"",
+        "p.gaitway:17: characters[0].constraints[1].heading is not a number; write a number like \
+         1.5",
     );
     check_error(
         "\"kind\": \"joint\"",

@@ -184,7 +184,9 @@ impl PlanarTwist {
         let (s_over, one_minus_c_over) = if theta.abs() < 1e-3 {
             (1.0 - theta * theta / 6.0, 0.5 * theta)
         } else {
-            (sin / theta, (1.0 - cos) / theta)
+            // 1 − cos θ = 2 sin²(θ/2), which keeps its digits for small turns.
+            let half_sin = (0.5 * theta).sin();
+            (sin / theta, 2.0 * half_sin * half_sin / theta)
         };
         PlanarTransform {
             cos,

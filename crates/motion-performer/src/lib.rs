@@ -1,0 +1,21 @@
+//! A procedural performer: foot plan, hips path, two-bone legs. It makes the built-in library.
+pub mod body;
+mod foot_plan;
+mod foot_pose;
+mod gait_curves;
+mod gait_figures;
+mod idle;
+mod jump;
+mod pelvis;
+mod perform;
+mod pose;
+mod repertoire;
+mod signal;
+mod stand;
+mod swing;
+mod travel;
+pub use gait_curves::REST_PHASE;
+pub use perform::{Performed, perform};
+pub use repertoire::{BuiltinError, builtin_clips};
+pub use signal::{Ease, Keys};
+pub use travel::{Edge, Performance};

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mut slide = 0f32;
         let mut pen = 0f32;
         let mut speed = (0f32, 0, 0);
-        let mut kn = (9f32, 0f32);
+        let mut kn = (999f32, 0f32);
         for f in 0..nf {
             for j in 0..n {
                 if f + 1 < nf && f > 0 {

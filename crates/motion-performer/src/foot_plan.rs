@@ -42,7 +42,7 @@ impl Stance {
     /// The foot's pitch during the stance: down onto the sole in an S, up onto the toes with a
     /// power of time, as measured.
     pub(crate) fn pitch(&self, secs: f32) -> State<f32> {
-        const POWER: f32 = 2.5;
+        const POWER: f32 = 2.0;
         if secs < self.flat_s {
             let span = self.flat_s - self.strike_s;
             if !span.is_finite() {

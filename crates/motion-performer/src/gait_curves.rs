@@ -12,25 +12,47 @@ use crate::gait_figures::{FAST_WALK, RUN, WALK};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fourier(pub(crate) &'static [(f32, f32)]);
 
+/// Harmonics that a series may have beyond its mean.
+const MAX_HARMONICS: usize = 8;
+
+/// Sines and cosines of a phase and its multiples, shared by all series read at that phase.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Harmonics([(f32, f32); MAX_HARMONICS]);
+
+impl Harmonics {
+    pub(crate) fn at(phase: f32) -> Self {
+        let (sin, cos) = (std::f32::consts::TAU * phase.rem_euclid(1.0)).sin_cos();
+        let mut waves = [(cos, sin); MAX_HARMONICS];
+        // cos kx and sin kx by adding the angle once more each time.
+        for k in 1..MAX_HARMONICS {
+            let (cos_k, sin_k) = waves[k - 1];
+            waves[k] = (cos_k * cos - sin_k * sin, sin_k * cos + cos_k * sin);
+        }
+        Self(waves)
+    }
+
+    /// Half a cycle later: odd harmonics change sign.
+    pub(crate) fn half_later(mut self) -> Self {
+        for (cos_k, sin_k) in self.0.iter_mut().step_by(2) {
+            (*cos_k, *sin_k) = (-*cos_k, -*sin_k);
+        }
+        self
+    }
+}
+
 impl Fourier {
     pub(crate) fn mean(self) -> f32 {
         self.0.first().map_or(0.0, |a0| a0.0)
     }
 
     /// The curve without its mean.
-    pub(crate) fn swing(self, phase: f32) -> f32 {
-        let (sin, cos) = (std::f32::consts::TAU * phase.rem_euclid(1.0)).sin_cos();
-        // cos kx and sin kx by adding the angle once more each time.
-        let (mut sin_k, mut cos_k, mut sum) = (0.0, 1.0, 0.0);
-        for &(a, b) in self.0.iter().skip(1) {
-            (sin_k, cos_k) = (sin_k * cos + cos_k * sin, cos_k * cos - sin_k * sin);
-            sum += a * cos_k + b * sin_k;
-        }
-        sum
+    pub(crate) fn swing(self, harmonics: &Harmonics) -> f32 {
+        let waves = self.0.iter().skip(1).zip(&harmonics.0);
+        waves.map(|(&(a, b), &(cos_k, sin_k))| a * cos_k + b * sin_k).sum()
     }
 
-    pub(crate) fn at(self, phase: f32) -> f32 {
-        self.mean() + self.swing(phase)
+    pub(crate) fn at(self, harmonics: &Harmonics) -> f32 {
+        self.mean() + self.swing(harmonics)
     }
 }
 
@@ -82,9 +104,9 @@ const BOB_TO_HIPS_M: f32 = -0.027;
 const STAND_EVENTS: GaitEvents =
     GaitEvents { strike: 0.0, flat: 0.08, over: 0.30, heel_off: 0.59, toe_off: 0.66 };
 const STAND_CYCLE_S: f32 = 1.25;
-const STAND_HIPS_HEIGHT_M: f32 = 0.975;
+const STAND_HIPS_HEIGHT_M: f32 = 0.983;
 /// Arms hang a little off the body, elbows a little bent.
-const STAND_ARM: Vec3 = Vec3::new(0.12, -0.12, -1.42);
+const STAND_ARM: Vec3 = Vec3::new(0.12, -0.12, -1.48);
 const STAND_FORE_ARM: Vec3 = Vec3::new(0.0, -0.26, 0.15);
 const STAND_TRUNK: [Vec3; 4] = [
     Vec3::new(0.0, 0.0, 0.0),
@@ -180,35 +202,37 @@ impl Gait {
 
     /// Trunk and arms at a phase; `vigour` scales what swings (1 as measured).
     pub(crate) fn upper_body(self, phase: f32, vigour: f32) -> UpperBody {
-        let curve = |stand: f32, phase: f32, of: &dyn Fn(&GaitFigures) -> Fourier| {
-            self.mix(stand, |g| of(g).mean()) + vigour * self.mix(0.0, |g| of(g).swing(phase))
+        let here = Harmonics::at(phase);
+        let half_later = here.half_later();
+        let curve = |stand: f32, at: &Harmonics, of: &dyn Fn(&GaitFigures) -> Fourier| {
+            self.mix(stand, |g| of(g).mean()) + vigour * self.mix(0.0, |g| of(g).swing(at))
         };
-        let vector = |stand: Vec3, phase: f32, of: &dyn Fn(&GaitFigures) -> [Fourier; 3]| {
+        let vector = |stand: Vec3, at: &Harmonics, of: &dyn Fn(&GaitFigures) -> [Fourier; 3]| {
             Vec3::new(
-                curve(stand.x, phase, &|g| of(g)[0]),
-                curve(stand.y, phase, &|g| of(g)[1]),
-                curve(stand.z, phase, &|g| of(g)[2]),
+                curve(stand.x, at, &|g| of(g)[0]),
+                curve(stand.y, at, &|g| of(g)[1]),
+                curve(stand.z, at, &|g| of(g)[2]),
             )
         };
-        let arm = |phase: f32| {
+        let arm = |at: &Harmonics| {
             [
-                vector(STAND_ARM, phase, &|g| g.left_arm),
-                vector(STAND_FORE_ARM, phase, &|g| g.left_fore_arm),
+                vector(STAND_ARM, at, &|g| g.left_arm),
+                vector(STAND_FORE_ARM, at, &|g| g.left_fore_arm),
             ]
         };
         // The right arm does what the left one does half a cycle away, mirrored.
         let mirror = Vec3::new(1.0, -1.0, -1.0);
         UpperBody {
             trunk: [
-                vector(STAND_TRUNK[0], phase, &|g| g.hips),
-                vector(STAND_TRUNK[1], phase, &|g| g.spine),
-                vector(STAND_TRUNK[2], phase, &|g| g.spine1),
-                vector(STAND_TRUNK[3], phase, &|g| g.spine2),
+                vector(STAND_TRUNK[0], &here, &|g| g.hips),
+                vector(STAND_TRUNK[1], &here, &|g| g.spine),
+                vector(STAND_TRUNK[2], &here, &|g| g.spine1),
+                vector(STAND_TRUNK[3], &here, &|g| g.spine2),
             ],
-            arms: [arm(phase), arm(phase + 0.5).map(|v| v * mirror)],
+            arms: [arm(&here), arm(&half_later).map(|v| v * mirror)],
             hips_height_m: self.mix(STAND_HIPS_HEIGHT_M, |g| g.bob.mean() + BOB_TO_HIPS_M)
-                + self.mix(0.0, |g| g.bob.swing(phase)),
-            surge_m: self.mix(0.0, |g| g.surge.swing(phase)),
+                + self.mix(0.0, |g| g.bob.swing(&here)),
+            surge_m: self.mix(0.0, |g| g.surge.swing(&here)),
         }
     }
 }
@@ -226,7 +250,7 @@ mod tests {
                 a * x.cos() + b * x.sin()
             };
             let slow: f32 = curve.0.iter().enumerate().map(|(k, &ab)| wave(k, ab)).sum();
-            assert!((curve.at(phase) - slow).abs() < 1e-5, "phase {phase}");
+            assert!((curve.at(&Harmonics::at(phase)) - slow).abs() < 1e-5, "phase {phase}");
         }
     }
 

@@ -181,7 +181,7 @@ impl Plan {
         FootPose {
             ankle_m: Vec3::new(ankle_m.x, ankle_m.y.max(ANKLE_HEIGHT_M), ankle_m.z),
             yaw_rad: from.yaw_rad,
-            pitch_rad: point + 0.5 * turn.at(at_s),
+            pitch_rad: point + 0.3 * turn.at(at_s),
             toe_bend_rad: -OFF_PITCH_RAD * (1.0 - smoothstep(t / 0.3))
                 - LAND_PITCH_RAD * smoothstep((t - 0.7) / 0.3),
             planted: false,
@@ -197,8 +197,8 @@ impl Plan {
             Ease::Smooth,
             vec![
                 (STAND_S, 0.0),
-                (self.crouched_s - 0.05, -0.75),
-                (self.off_s + 0.08, 1.9),
+                (self.crouched_s - 0.12, -0.35),
+                (self.off_s + 0.12, 1.55),
                 (self.land_s + 0.06, 0.55),
                 (self.absorbed_s + 0.1, 0.35),
                 (self.rest_s, 0.0),

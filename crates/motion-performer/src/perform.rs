@@ -70,7 +70,12 @@ pub(crate) fn gait_take(spec: &Performance) -> Take {
     let leads = leads(&travel, &feet);
     let gaze = gaze_rad(&travel);
 
-    let poses = travel.moments.iter().zip(&leads).enumerate().map(|(i, (moment, lead))| {
+    // What is out of reach of the shown frames' lowering need not be posed.
+    let reach = (LOWERING_S * GRID_HZ as f32) as usize;
+    let from = travel.first.saturating_sub(2 * reach);
+    let to = (travel.first + travel.n_shown + 2 * reach).min(travel.moments.len());
+    let poses = (from..to).map(|i| {
+        let (moment, lead) = (&travel.moments[i], &leads[i]);
         // Sideways and backwards the arms have less to balance.
         let upper = moment.gait().upper_body(moment.phase, 0.4 + 0.6 * forward.max(0.0));
         let ahead = glam::Vec2::new(moment.heading_rad.sin(), moment.heading_rad.cos());
@@ -82,8 +87,8 @@ pub(crate) fn gait_take(spec: &Performance) -> Take {
         pose
     });
     let mut poses: Vec<Pose> = poses.collect();
-    lower_to_reach(&mut poses, (LOWERING_S * GRID_HZ as f32) as usize);
-    Take { poses, first: travel.first, n_shown: travel.n_shown }
+    lower_to_reach(&mut poses, reach);
+    Take { poses, first: travel.first - from, n_shown: travel.n_shown }
 }
 
 /// Where the eyes look, moment by moment: ahead of the body's heading, but never over the

@@ -2,7 +2,8 @@
 //!
 //! A swing takes its shape (how far along, how high, how pitched at which share of the swing)
 //! from the measured gait at the speed of the step, and is then bent by a polynomial of degree
-//! five so that position, velocity and acceleration are those of the rolling foot at both ends.
+//! five so that position and velocity are those of the rolling foot at both ends. (Acceleration is
+//! left alone: matched too, the polynomial would wander far in a long swing.)
 //! Two bumps keep it clear: up from the floor and aside from the other leg.
 
 use glam::{Vec2, Vec3};
@@ -11,13 +12,13 @@ use motion_core::planar::wrap_angle_rad;
 use crate::body::{HEEL_FROM_ANKLE_M, TOE_FROM_ANKLE_M, TOE_HEIGHT_M};
 use crate::foot_plan::Stance;
 use crate::foot_pose::{FootPose, Print};
-use crate::gait_curves::{Gait, GaitFigures};
+use crate::gait_curves::{Gait, Harmonics};
 use crate::signal::{Quintic, State, smoothstep};
 
 /// Dip of the measured foot when flat.
 const FLAT_DIP_RAD: f32 = 0.37;
 /// A foot that only steps lifts this share of a walking foot's height and pitch.
-const STAND_LIFT: f32 = 0.55;
+const STAND_LIFT: f32 = 0.30;
 const STAND_PITCH: f32 = 0.35;
 /// The least distance between sole and floor in mid-swing.
 const CLEARANCE_M: f32 = 0.015;
@@ -35,8 +36,9 @@ struct Swing {
     travel: Vec3,
     yaw_rad: [f32; 2],
     gait: Gait,
-    /// Phases of lift and landing.
+    /// Phases of lift and landing, and the measured foot's progress there.
     phases: [f32; 2],
+    progress: [f32; 2],
     /// Share of the measured height and pitch.
     lift: f32,
     pitch: f32,
@@ -57,6 +59,7 @@ impl Swing {
         let duration_s = (to.strike_s - from.off_s).max(MIN_SWING_S);
         let nothing = State { value: Vec3::ZERO, rate: Vec3::ZERO, accel: Vec3::ZERO };
         let level = State { value: 0.0, rate: 0.0, accel: 0.0 };
+        let phases = [events.toe_off, events.strike + 1.0];
         let mut swing = Self {
             from_s: from.off_s,
             duration_s,
@@ -64,7 +67,8 @@ impl Swing {
             travel: b.value - a.value,
             yaw_rad: [from.print.yaw_rad, from.print.yaw_rad + turn],
             gait,
-            phases: [events.toe_off, events.strike + 1.0],
+            phases,
+            progress: phases.map(|p| progress(gait, p, &Harmonics::at(p))),
             lift: STAND_LIFT + (1.0 - STAND_LIFT) * stride,
             pitch: (STAND_PITCH + (1.0 - STAND_PITCH) * stride) * forward.max(0.0),
             mend: Quintic::between(nothing, nothing, duration_s),
@@ -75,7 +79,7 @@ impl Swing {
         let missing = |wished: State<Vec3>, shape: State<Vec3>| State {
             value: wished.value - shape.value,
             rate: wished.rate - shape.rate,
-            accel: wished.accel - shape.accel,
+            accel: Vec3::ZERO,
         };
         swing.mend = Quintic::between(
             missing(a, state(&|t| swing.shape(t), 0.0, duration_s)),
@@ -85,7 +89,7 @@ impl Swing {
         let missing = |wished: State<f32>, shape: State<f32>| State {
             value: wished.value - shape.value,
             rate: wished.rate - shape.rate,
-            accel: wished.accel - shape.accel,
+            accel: 0.0,
         };
         swing.mend_pitch = Quintic::between(
             missing(pitch_off, state(&|t| swing.pitch_shape(t), 0.0, duration_s)),
@@ -98,25 +102,22 @@ impl Swing {
 
     /// The measured way at share `t` of the swing.
     fn shape(&self, t: f32) -> Vec3 {
-        let phase = self.phases[0] + (self.phases[1] - self.phases[0]) * t;
-        let progress = |phase: f32| {
-            let ahead = |g: &GaitFigures| phase * g.speed_m_s * g.cycle_s + g.ankle_ahead.at(phase);
-            // Stepping in place is not measured: it borrows the walk's share of the way.
-            self.gait.moving(ahead)
-        };
-        let (p0, p1) = (progress(self.phases[0]), progress(self.phases[1]));
-        let share = (progress(phase) - p0) / (p1 - p0);
-        let height = self.lift * self.gait.moving(|g| g.ankle_height.at(phase));
-        Vec3::new(
-            self.start.x + self.travel.x * share,
-            height,
-            self.start.z + self.travel.z * share,
-        )
+        let phase = self.phase(t);
+        let at = Harmonics::at(phase);
+        let share = (progress(self.gait, phase, &at) - self.progress[0])
+            / (self.progress[1] - self.progress[0]);
+        let height = self.lift * self.gait.moving(|g| g.ankle_height.at(&at));
+        let way = self.travel * share;
+        Vec3::new(self.start.x + way.x, height, self.start.z + way.z)
     }
 
     fn pitch_shape(&self, t: f32) -> f32 {
-        let phase = self.phases[0] + (self.phases[1] - self.phases[0]) * t;
-        self.pitch * (self.gait.moving(|g| g.foot_pitch.at(phase)) - FLAT_DIP_RAD)
+        let at = Harmonics::at(self.phase(t));
+        self.pitch * (self.gait.moving(|g| g.foot_pitch.at(&at)) - FLAT_DIP_RAD)
+    }
+
+    fn phase(&self, t: f32) -> f32 {
+        self.phases[0] + (self.phases[1] - self.phases[0]) * t
     }
 
     fn pose(&self, secs: f32) -> FootPose {
@@ -159,6 +160,12 @@ impl Swing {
         }
         self.bump = aside + Vec3::Y * lift_m;
     }
+}
+
+/// How far a foot of the measured gait has come at a phase, metres. Stepping in place was not
+/// measured: it borrows the walk's share of the way.
+fn progress(gait: Gait, phase: f32, at: &Harmonics) -> f32 {
+    gait.moving(|g| phase * g.speed_m_s * g.cycle_s + g.ankle_ahead.at(at))
 }
 
 /// The direction on the ground from a standing foot's ankle to a point, and how far it is.

@@ -16,9 +16,9 @@ use crate::gait_curves::{Fourier, GaitEvents, GaitFigures};
 
 /// Thirteen cycles at ease.
 pub(crate) const WALK: GaitFigures = GaitFigures {
-    events: GaitEvents { strike: -0.015, flat: 0.115, over: 0.258, heel_off: 0.40, toe_off: 0.61 },
-    strike_pitch_rad: -0.38,
-    off_pitch_rad: 0.74,
+    events: GaitEvents { strike: 0.03, flat: 0.125, over: 0.258, heel_off: 0.40, toe_off: 0.61 },
+    strike_pitch_rad: -0.36,
+    off_pitch_rad: 0.72,
     speed_m_s: 1.168,
     cycle_s: 1.145,
     hips: [
@@ -120,9 +120,9 @@ pub(crate) const WALK: GaitFigures = GaitFigures {
 
 /// Four cycles in a hurry.
 pub(crate) const FAST_WALK: GaitFigures = GaitFigures {
-    events: GaitEvents { strike: -0.015, flat: 0.115, over: 0.255, heel_off: 0.37, toe_off: 0.59 },
-    strike_pitch_rad: -0.45,
-    off_pitch_rad: 0.82,
+    events: GaitEvents { strike: 0.03, flat: 0.125, over: 0.255, heel_off: 0.37, toe_off: 0.59 },
+    strike_pitch_rad: -0.42,
+    off_pitch_rad: 0.80,
     speed_m_s: 1.664,
     cycle_s: 0.965,
     hips: [
@@ -224,7 +224,7 @@ pub(crate) const FAST_WALK: GaitFigures = GaitFigures {
 
 /// Four cycles.
 pub(crate) const RUN: GaitFigures = GaitFigures {
-    events: GaitEvents { strike: 0.06, flat: 0.11, over: 0.135, heel_off: 0.18, toe_off: 0.345 },
+    events: GaitEvents { strike: 0.065, flat: 0.11, over: 0.135, heel_off: 0.17, toe_off: 0.33 },
     strike_pitch_rad: -0.10,
     off_pitch_rad: 0.78,
     speed_m_s: 3.534,

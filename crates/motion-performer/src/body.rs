@@ -11,6 +11,7 @@
 //! that a knee is a pure hinge about +X; arms lie along X. The body is its own mirror image.
 
 use glam::Vec3;
+use motion_core::contacts::Side;
 use motion_core::ids::JointIdx;
 use motion_core::skeleton::{Joint, Skeleton, SkeletonError};
 
@@ -29,32 +30,12 @@ pub(crate) const TOE_HEIGHT_M: f32 = 0.025;
 /// From the ankle to the lowest point of the heel, which the foot rolls over as it lands.
 pub(crate) const HEEL_FROM_ANKLE_M: Vec3 = Vec3::new(0.0, -ANKLE_HEIGHT_M, -0.045);
 
-/// A side of the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// +X in the rest pose.
-    Left,
-    /// −X in the rest pose.
-    Right,
-}
-
-impl Side {
-    /// Left, then right.
-    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// +1 for left, −1 for right: the sign of X.
-    #[inline]
-    pub fn sign(self) -> f32 {
-        match self {
-            Self::Left => 1.0,
-            Self::Right => -1.0,
-        }
-    }
-
-    /// 0 for left, 1 for right.
-    #[inline]
-    pub fn idx(self) -> usize {
-        self as usize
+/// +1 for the left side, −1 for the right: the sign of X.
+#[inline]
+pub(crate) fn sign(side: Side) -> f32 {
+    match side {
+        Side::Left => 1.0,
+        Side::Right => -1.0,
     }
 }
 
@@ -95,7 +76,7 @@ pub fn skeleton() -> Result<Skeleton, SkeletonError> {
     let neck = add("Neck", Some(spine2), up(0.145, 0.0), None);
     add("Head", Some(neck), up(0.09, 0.015), Some(up(0.195, 0.01)));
     for side in Side::BOTH {
-        let at = |x: f32, y: f32, z: f32| Vec3::new(side.sign() * x, y, z);
+        let at = |x: f32, y: f32, z: f32| Vec3::new(sign(side) * x, y, z);
         let name = |part: &str| format!("{side:?}{part}");
         let shoulder = add(&name("Shoulder"), Some(spine2), at(0.055, 0.105, 0.0), None);
         let arm = add(&name("Arm"), Some(shoulder), at(0.125, 0.0, 0.0), None);
@@ -104,7 +85,7 @@ pub fn skeleton() -> Result<Skeleton, SkeletonError> {
     }
     for side in Side::BOTH {
         let name = |part: &str| format!("{side:?}{part}");
-        let hip = Vec3::new(side.sign() * LEFT_HIP_M.x, LEFT_HIP_M.y, LEFT_HIP_M.z);
+        let hip = Vec3::new(sign(side) * LEFT_HIP_M.x, LEFT_HIP_M.y, LEFT_HIP_M.z);
         let up_leg = add(&name("UpLeg"), Some(hips), hip, None);
         let leg = add(&name("Leg"), Some(up_leg), up(-THIGH_M, 0.0), None);
         let foot = add(&name("Foot"), Some(leg), up(-SHIN_M, 0.0), None);

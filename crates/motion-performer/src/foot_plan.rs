@@ -7,18 +7,19 @@
 
 use glam::Vec2;
 
-use crate::body::Side;
+use crate::body::sign;
 use crate::foot_pose::{FootPose, Print};
 use crate::signal::{State, smoothstep};
 use crate::travel::{GRID_HZ, Moment, Travel};
+use motion_core::contacts::Side;
 
 /// Half the distance between the ankles' tracks: standing, walking, running.
 const HALF_WIDTH_M: [f32; 3] = [0.095, 0.065, 0.05];
 /// How far the toes point out: standing, walking, running.
 const TOE_OUT_RAD: [f32; 3] = [0.14, 0.10, 0.06];
-/// Walking backwards lands on the toes and lifts the toes first.
+/// Walking backwards lands on the toes and lifts the whole sole.
 const BACK_STRIKE_PITCH_RAD: f32 = 0.30;
-const BACK_OFF_PITCH_RAD: f32 = -0.12;
+const BACK_OFF_PITCH_RAD: f32 = 0.0;
 /// How the pitch of a stepping, not striding, foot compares.
 const STAND_STRIKE_PITCH_RAD: f32 = -0.10;
 const STAND_OFF_PITCH_RAD: f32 = 0.35;
@@ -136,8 +137,8 @@ pub(crate) fn print(over: &Moment, side: Side, drift_rad: f32) -> Print {
     let sideways_m_s = (over.speed_m_s * drift_rad.sin()).abs();
     let half_width_m = by_gait(HALF_WIDTH_M) + 0.25 * sideways_m_s * gait.cycle_s();
     Print {
-        ground_m: over.ground_m + over.left() * (side.sign() * half_width_m),
-        yaw_rad: over.heading_rad + side.sign() * by_gait(TOE_OUT_RAD),
+        ground_m: over.ground_m + over.left() * (sign(side) * half_width_m),
+        yaw_rad: over.heading_rad + sign(side) * by_gait(TOE_OUT_RAD),
     }
 }
 

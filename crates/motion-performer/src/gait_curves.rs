@@ -127,6 +127,8 @@ pub(crate) struct Gait {
     t: f32,
     /// 0 for a stand, 1 from the slowest measured gait on.
     stride: f32,
+    /// 0 for walking, 1 for running.
+    run: f32,
 }
 
 /// What trunk and arms do: rotation vectors, local except for the hips, which are relative to
@@ -146,18 +148,18 @@ pub(crate) struct UpperBody {
 impl Gait {
     pub(crate) fn at_speed(speed_m_s: f32) -> Self {
         let v = speed_m_s.max(0.0);
-        let between = |a: &'static GaitFigures, b: &'static GaitFigures| Self {
-            a,
-            b,
-            t: ((v - a.speed_m_s) / (b.speed_m_s - a.speed_m_s)).clamp(0.0, 1.15),
-            stride: 1.0,
+        // A little beyond the fastest measured run the curves still hold.
+        let share = |a: &GaitFigures, b: &GaitFigures| {
+            ((v - a.speed_m_s) / (b.speed_m_s - a.speed_m_s)).clamp(0.0, 1.15)
         };
         if v < WALK.speed_m_s {
-            Self { a: &WALK, b: &WALK, t: 0.0, stride: v / WALK.speed_m_s }
+            Self { a: &WALK, b: &WALK, t: 0.0, stride: v / WALK.speed_m_s, run: 0.0 }
         } else if v < FAST_WALK.speed_m_s {
-            between(&WALK, &FAST_WALK)
+            let t = share(&WALK, &FAST_WALK);
+            Self { a: &WALK, b: &FAST_WALK, t, stride: 1.0, run: 0.0 }
         } else {
-            between(&FAST_WALK, &RUN)
+            let t = share(&FAST_WALK, &RUN);
+            Self { a: &FAST_WALK, b: &RUN, t, stride: 1.0, run: t.min(1.0) }
         }
     }
 
@@ -168,8 +170,7 @@ impl Gait {
 
     /// 0 for walking, 1 for running.
     pub(crate) fn run(self) -> f32 {
-        let runs = self.b.speed_m_s == RUN.speed_m_s;
-        if runs { self.t.min(1.0) } else { 0.0 }
+        self.run
     }
 
     /// A figure between its values for the gaits; `stand` is its value for a stand.

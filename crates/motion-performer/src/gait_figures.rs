@@ -120,7 +120,7 @@ pub(crate) const WALK: GaitFigures = GaitFigures {
 
 /// Four cycles in a hurry.
 pub(crate) const FAST_WALK: GaitFigures = GaitFigures {
-    events: GaitEvents { strike: 0.03, flat: 0.125, over: 0.255, heel_off: 0.37, toe_off: 0.59 },
+    events: GaitEvents { strike: 0.03, flat: 0.125, over: 0.255, heel_off: 0.36, toe_off: 0.58 },
     strike_pitch_rad: -0.42,
     off_pitch_rad: 0.80,
     speed_m_s: 1.664,

@@ -4,12 +4,12 @@ use std::f32::consts::TAU;
 
 use glam::{Quat, Vec3};
 
-use crate::body::Side;
 use crate::perform::Take;
 use crate::pose::{Pose, lower_to_reach};
 use crate::signal::{Ease, Keys, smoothstep};
 use crate::stand::{Departure, rest_print};
 use crate::travel::GRID_HZ;
+use motion_core::contacts::Side;
 
 /// What a standing body does.
 #[derive(Clone, Debug, PartialEq)]

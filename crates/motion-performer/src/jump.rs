@@ -8,13 +8,14 @@ use std::f32::consts::PI;
 
 use glam::{Quat, Vec3};
 
-use crate::body::{ANKLE_HEIGHT_M, HIPS_HEIGHT_M, LEFT_HIP_M, SHIN_M, Side, THIGH_M};
+use crate::body::{ANKLE_HEIGHT_M, HIPS_HEIGHT_M, LEFT_HIP_M, SHIN_M, THIGH_M, sign};
 use crate::foot_pose::FootPose;
 use crate::perform::Take;
 use crate::pose::{Pose, lower_to_reach};
 use crate::signal::{Ease, Keys, Quintic, State, smoothstep};
 use crate::stand::{Departure, rest_print, rest_upper_body};
 use crate::travel::GRID_HZ;
+use motion_core::contacts::Side;
 
 const GRAVITY_M_S2: f32 = 9.81;
 /// Before and after.
@@ -23,7 +24,7 @@ const STAND_S: f32 = 0.4;
 const CROUCH_S: f32 = 0.55;
 const PUSH_S: f32 = 0.30;
 /// From touch-down to the lowest point, and from there to rest.
-const ABSORB_S: f32 = 0.28;
+const ABSORB_S: f32 = 0.34;
 const RECOVER_S: f32 = 0.80;
 /// Pitch of the feet as they leave the floor and as they meet it.
 const OFF_PITCH_RAD: f32 = 0.75;
@@ -60,12 +61,13 @@ impl Plan {
         let rest_m = rest_upper_body().hips_height_m;
         // At take-off the legs are all but straight and the heels up.
         let off_height_m = HIPS_HEIGHT_M + 0.035;
-        let land_height_m = HIPS_HEIGHT_M - 0.02;
+        // A landing begins with bent knees, which would otherwise have to snap.
+        let land_height_m = HIPS_HEIGHT_M - 0.06;
         let up_m_s = (2.0 * GRAVITY_M_S2 * jump.rise_m).sqrt();
         let fall_m = off_height_m + jump.rise_m - land_height_m;
         let flight_s = up_m_s / GRAVITY_M_S2 + (2.0 * fall_m / GRAVITY_M_S2).sqrt();
         // The hips leave ahead of the feet and land behind them, so they fly less far.
-        let lead_m = 0.28 * jump.ahead_m;
+        let lead_m = 0.21 * jump.ahead_m;
         let ahead_m_s = (jump.ahead_m - 1.5 * lead_m) / flight_s;
 
         let at = |z: f32, y: f32| Vec3::new(0.0, y, z);
@@ -220,7 +222,7 @@ impl Plan {
 
 /// From the hips to a hip joint, for hips that are not turned.
 fn hip_from_hips(side: Side) -> Vec3 {
-    Vec3::new(side.sign() * LEFT_HIP_M.x, LEFT_HIP_M.y, LEFT_HIP_M.z)
+    Vec3::new(sign(side) * LEFT_HIP_M.x, LEFT_HIP_M.y, LEFT_HIP_M.z)
 }
 
 /// What is added to a hanging left arm's rotation vector to swing it ahead by an angle.

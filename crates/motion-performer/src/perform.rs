@@ -7,14 +7,15 @@ use motion_core::ground::Contacts;
 use motion_core::motion::{Motion, MotionError};
 use motion_core::units::Fps;
 
-use crate::body::{Side, joint};
+use crate::body::joint;
 use crate::foot_plan::stances;
 use crate::foot_pose::FootPose;
 use crate::pelvis::{leads, over};
 use crate::pose::{Pose, lower_to_reach};
 use crate::signal::gaussian;
 use crate::swing::FootTrack;
-use crate::travel::{GRID_HZ, Performance, Travel};
+use crate::travel::{GRID_HZ, Performance, SpecError, Travel};
+use motion_core::contacts::Side;
 
 /// Frames per second of what is performed.
 const FRAME_HZ: usize = 30;
@@ -48,12 +49,21 @@ pub(crate) struct Take {
     pub(crate) n_shown: usize,
 }
 
-/// Performs a stretch of gait.
-///
-/// The same spec always gives the same motion. The error is that of [`Motion::new`], for specs
-/// with numbers that are not finite.
-pub fn perform(spec: &Performance) -> Result<Performed, MotionError> {
-    gait_take(spec).performed()
+/// Why a spec cannot be performed.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PerformError {
+    /// One of the rules of [`Performance`].
+    #[error(transparent)]
+    Spec(#[from] SpecError),
+    /// A speed or heading that is not a number leads nowhere.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+}
+
+/// Performs a stretch of gait. The same spec always gives the same motion.
+pub fn perform(spec: &Performance) -> Result<Performed, PerformError> {
+    spec.check()?;
+    Ok(gait_take(spec).performed()?)
 }
 
 pub(crate) fn gait_take(spec: &Performance) -> Take {

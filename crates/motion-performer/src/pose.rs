@@ -4,10 +4,11 @@ use glam::{Quat, Vec3};
 use motion_core::ik::{TwoBone, bone_rotation};
 use motion_core::rotation;
 
-use crate::body::{LEFT_HIP_M, SHIN_M, Side, THIGH_M, joint};
+use crate::body::{LEFT_HIP_M, SHIN_M, THIGH_M, joint, sign};
 use crate::foot_pose::FootPose;
 use crate::gait_curves::UpperBody;
 use crate::signal::{dilated, gaussian};
+use motion_core::contacts::Side;
 
 /// The straightest a leg gets, as a share of its length: 13.6° of knee flexion. Beyond, the knee
 /// moves with the square root of what is left and pops.
@@ -51,7 +52,7 @@ impl Pose {
 
     /// The hip joint of a leg in the world.
     fn hip_m(&self, side: Side) -> Vec3 {
-        let offset = Vec3::new(side.sign() * LEFT_HIP_M.x, LEFT_HIP_M.y, LEFT_HIP_M.z);
+        let offset = Vec3::new(sign(side) * LEFT_HIP_M.x, LEFT_HIP_M.y, LEFT_HIP_M.z);
         self.hips_m + self.hips * offset
     }
 

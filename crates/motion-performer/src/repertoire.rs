@@ -104,8 +104,8 @@ impl Entry {
     }
 }
 
-/// Two clips from one: to the left as given, to the right as its mirror image, half a cycle
-/// later in the spec so that both begin with the same foot.
+/// Two clips from one: to the left as given, to the right as its mirror image (which begins with
+/// the other foot). For starts and stops the side is that of the first or last step.
 fn both_ways(id: &str, suffix: &str, tags: &[&'static str], spec: &Performance) -> [Entry; 2] {
     let left = Entry::new(format!("{id}_left{suffix}"), tags, Act::Gait(spec.clone()));
     let mut right = Entry::new(format!("{id}_right{suffix}"), tags, Act::Gait(spec.clone()));
@@ -222,9 +222,9 @@ fn starts_and_stops() -> Vec<Entry> {
         before: standing,
         ..Performance::straight(speed_m_s, 1.0)
     };
-    let stop = |speed_m_s: f32, from: f32, to: f32| Performance {
-        cycles: to + REST_PHASE,
-        speed_m_s: smooth(&[(from, speed_m_s), (to - 0.02, 0.0)]),
+    let stop = |speed_m_s: f32, from: f32, last_landing: f32| Performance {
+        cycles: last_landing + REST_PHASE,
+        speed_m_s: smooth(&[(from, speed_m_s), (last_landing - 0.1, 0.0)]),
         after: standing,
         ..Performance::straight(speed_m_s, 1.0)
     };
@@ -232,7 +232,7 @@ fn starts_and_stops() -> Vec<Entry> {
     turned.heading_rad = turning(LEFT_NEXT, 1.9, 0.5 * PI);
     [
         both_ways("walk_start", "", &["walk", "start"], &start(WALK_M_S, 1.6, 3.0)),
-        both_ways("walk_stop", "", &["walk", "stop"], &stop(WALK_M_S, 1.4, 3.0)),
+        both_ways("walk_stop", "", &["walk", "stop"], &stop(WALK_M_S, 1.6, 3.0)),
         both_ways("walk_start_turn", "_90", &["walk", "start", "turn"], &turned),
         both_ways("run_start", "", &["run", "start"], &start(RUN_M_S, 2.6, 4.0)),
         both_ways("run_stop", "", &["run", "stop"], &stop(RUN_M_S, 1.0, 4.0)),
@@ -288,7 +288,7 @@ fn aside_and_back() -> Vec<Entry> {
         after: Edge::Standing { secs: 0.3 },
     };
     let mut all =
-        Vec::from(both_ways("sidestep", "", &["sidestep"], &from_rest_to_rest(0.40, 0.5 * PI)));
+        Vec::from(both_ways("sidestep", "", &["sidestep"], &from_rest_to_rest(0.33, 0.5 * PI)));
     let mut backward = Performance::straight(0.8, 3.0);
     backward.drift_rad = PI;
     all.push(Entry::new("step_back", &["back"], Act::Gait(from_rest_to_rest(0.55, PI))));

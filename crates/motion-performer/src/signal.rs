@@ -51,6 +51,11 @@ impl Keys {
         }
     }
 
+    /// The lowest key.
+    pub(crate) fn lowest(&self) -> f32 {
+        self.keys.iter().map(|key| key.1).fold(f32::INFINITY, f32::min)
+    }
+
     /// The slope at `at`, by a central difference over 0.02.
     pub(crate) fn slope(&self, at: f32) -> f32 {
         (self.at(at + 0.01) - self.at(at - 0.01)) / 0.02

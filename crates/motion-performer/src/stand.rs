@@ -2,13 +2,14 @@
 
 use glam::{Quat, Vec2, Vec3};
 
-use crate::body::Side;
+use crate::body::sign;
 use crate::foot_plan::print;
 use crate::foot_pose::{FootPose, Print};
 use crate::gait_curves::{Gait, UpperBody};
 use crate::perform::HEAD_DIP_RAD;
 use crate::pose::Pose;
 use crate::travel::Moment;
+use motion_core::contacts::Side;
 
 /// Where a foot of a body at rest stands, `ahead_m` in front of the origin.
 pub(crate) fn rest_print(side: Side, ahead_m: f32) -> Print {
@@ -46,7 +47,7 @@ impl Departure {
     pub(crate) fn pose(&self, feet: [FootPose; 2]) -> Pose {
         let mut upper = rest_upper_body();
         for side in Side::BOTH {
-            let mirror = Vec3::new(1.0, side.sign(), side.sign());
+            let mirror = Vec3::new(1.0, sign(side), sign(side));
             for (part, added) in upper.arms[side.idx()].iter_mut().zip(self.arms) {
                 *part += added * mirror;
             }

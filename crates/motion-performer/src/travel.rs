@@ -6,7 +6,7 @@
 
 use glam::Vec2;
 
-use crate::gait_curves::Gait;
+use crate::gait_curves::{Gait, REST_PHASE};
 use crate::signal::Keys;
 
 /// Samples per second of everything that is planned: a multiple of the library's rate, fine
@@ -25,7 +25,7 @@ pub enum Edge {
     /// Mid-stride: gait goes on beyond the edge at the edge's speed.
     Moving,
     /// At rest on both feet for `secs`; the edge's phase must be one of rest
-    /// ([`REST_PHASE`](crate::REST_PHASE), or half a cycle more) and its speed 0.
+    /// ([`REST_PHASE`], or half a cycle more) and its speed 0.
     Standing {
         /// How long.
         secs: f32,
@@ -36,6 +36,12 @@ pub enum Edge {
 ///
 /// The body starts at the origin of the ground. Speed and heading are read at the phase of the
 /// gait, in cycles: left foot lands at whole numbers, right foot at halves.
+///
+/// Rules, checked before anything is performed:
+/// 1. All of it lasts at most an hour: cycles are above 0 and at most 3,000, rests at most an
+///    hour.
+/// 2. Speed is never below 0 (to go back, drift by π).
+/// 3. A standing edge has a phase at which both soles are flat, and speed 0 there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Performance {
     /// Phase of the first shown frame.
@@ -65,6 +71,50 @@ impl Performance {
             drift_rad: 0.0,
             before: Edge::Moving,
             after: Edge::Moving,
+        }
+    }
+}
+
+/// Which rule of [`Performance`] a spec breaks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SpecError {
+    /// Rule 1.
+    #[error("a performance has more than 0 and at most 3000 cycles, and rests of at most an hour")]
+    Length,
+    /// Rule 2.
+    #[error("speed is below 0; drift by half a turn to go back")]
+    Speed,
+    /// Rule 3.
+    #[error("a body can stand still only where both feet are flat, at phase 0.085 or 0.585")]
+    Rest,
+}
+
+impl Performance {
+    /// Checks the rules.
+    pub fn check(&self) -> Result<(), SpecError> {
+        let to_phase = self.from_phase + self.cycles;
+        let long =
+            |edge| matches!(edge, Edge::Standing { secs } if !(0.0..=3600.0).contains(&secs));
+        if !(self.cycles > 0.0 && self.cycles <= 3000.0 && self.from_phase.abs() <= 1e4)
+            || long(self.before)
+            || long(self.after)
+        {
+            return Err(SpecError::Length);
+        }
+        if self.speed_m_s.lowest() < 0.0 {
+            return Err(SpecError::Speed);
+        }
+        let at_rest = |edge, phase: f32| match edge {
+            Edge::Moving => true,
+            Edge::Standing { .. } => {
+                let off_rest = (phase - REST_PHASE).rem_euclid(0.5);
+                !(0.004..=0.496).contains(&off_rest) && self.speed_m_s.at(phase) < 0.01
+            }
+        };
+        if at_rest(self.before, self.from_phase) && at_rest(self.after, to_phase) {
+            Ok(())
+        } else {
+            Err(SpecError::Rest)
         }
     }
 }
@@ -230,6 +280,26 @@ mod tests {
         let end = travel.moments[travel.first + travel.n_shown - 1];
         assert!(end.ground_m.x > 0.5, "+X is left: {}", end.ground_m);
         assert!((end.heading_rad - FRAC_PI_2).abs() < 1e-6);
+    }
+
+    #[test]
+    fn specs_that_no_body_can_follow_are_refused() {
+        let good = Performance::straight(1.3, 3.0);
+        assert_eq!(good.check(), Ok(()));
+        let standing = Edge::Standing { secs: 1.0 };
+        for (spec, error) in [
+            (Performance { cycles: f32::INFINITY, ..good.clone() }, SpecError::Length),
+            (Performance { cycles: f32::NAN, ..good.clone() }, SpecError::Length),
+            (Performance { cycles: 0.0, ..good.clone() }, SpecError::Length),
+            (Performance { speed_m_s: Keys::constant(-1.0), ..good.clone() }, SpecError::Speed),
+            (Performance { before: standing, ..good.clone() }, SpecError::Rest),
+            (
+                Performance { before: standing, from_phase: REST_PHASE, ..good.clone() },
+                SpecError::Rest,
+            ),
+        ] {
+            assert_eq!(spec.check(), Err(error));
+        }
     }
 
     #[test]

@@ -15,7 +15,9 @@ use crate::units::Fps;
 ///
 /// Invariants, checked by [`Motion::new`]:
 /// 1. At least one frame and one joint; `rotations.len() = n_frames · n_joints`.
-/// 2. Everything is finite and every rotation has unit length (within 1e-3; it is renormalised).
+/// 2. Everything is finite and every rotation has unit length (within 1e-3; it is renormalised
+///    where it is off by more than rounding, so that a motion made of another's samples is the
+///    same to the last bit).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     fps: Fps,
@@ -64,7 +66,7 @@ impl Motion {
             if !unit || !root_positions_m[frame].is_finite() {
                 return Err(MotionError::Value { frame });
             }
-            for q in pose {
+            for q in pose.iter_mut().filter(|q| (q.length_squared() - 1.0).abs() > 1e-6) {
                 *q = q.normalize();
             }
         }

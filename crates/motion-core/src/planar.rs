@@ -42,6 +42,14 @@ impl PlanarTransform {
         Self { cos, sin, x_m: ground_m.x, z_m: ground_m.y, level_m }
     }
 
+    /// The transform of these very numbers, for reading back what was stored: `new` would round
+    /// them once more. `None` unless `(cos, sin)` has unit length (within 1e-3) and all is finite.
+    pub fn from_cos_sin(cos: f32, sin: f32, ground_m: Vec2, level_m: f32) -> Option<Self> {
+        let is_unit = (cos * cos + sin * sin - 1.0).abs() < 2e-3;
+        let valid = is_unit && ground_m.is_finite() && level_m.is_finite();
+        valid.then_some(Self { cos, sin, x_m: ground_m.x, z_m: ground_m.y, level_m })
+    }
+
     /// The heading within (−π, π].
     #[inline]
     pub fn heading_rad(self) -> f32 {
@@ -260,6 +268,15 @@ mod tests {
             let half = a.log().scaled(0.5).exp();
             assert_close(half * half, a);
         }
+    }
+
+    #[test]
+    fn stored_numbers_come_back_to_the_last_bit() {
+        let a = PlanarTransform::new(1.234, Vec2::new(2.0, 3.0), 0.5);
+        let again = PlanarTransform::from_cos_sin(a.cos(), a.sin(), a.ground_m(), a.level_m);
+        assert_eq!(again, Some(a));
+        assert_eq!(PlanarTransform::from_cos_sin(0.5, 0.5, Vec2::ZERO, 0.0), None);
+        assert_eq!(PlanarTransform::from_cos_sin(f32::NAN, 0.0, Vec2::ZERO, 0.0), None);
     }
 
     #[test]

@@ -165,6 +165,15 @@ impl<'a> Container<'a> {
         };
         let mut reader = ByteReader::new(bytes);
         let result = read(&mut reader).and_then(|value| reader.finish().map(|()| value));
+        self.checked(name, result)
+    }
+
+    /// The result of a check on what was read from the section called `name`.
+    pub fn checked<T>(
+        &self,
+        name: &str,
+        result: Result<T, impl std::fmt::Display>,
+    ) -> Result<T, FileError> {
         result.map_err(|fault| {
             let what = format!("section {name:?} of the library file is wrong ({fault})");
             FileError::new(self.path, what, MAKE_AGAIN)

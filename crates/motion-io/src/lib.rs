@@ -4,7 +4,7 @@
 //! | --- | --- | --- |
 //! | `.bvh` | [`bvh::read`] | [`bvh::write`](bvh::write()) |
 //! | `.gaitway` | [`project_file::load`] | [`project_file::save`] |
-//! | `.gwlib` | [`container::Container`] | [`container::ContainerWriter`] |
+//! | `.gwlib` | [`library_file::LibraryFile::load`] | [`library_file::LibraryFile::save`] |
 //! | `report.json`, `timing.json` | | [`report_file::save`] |
 //!
 //! [`import::import_files`] makes a library's clips of files and folders; [`guess`] recognises what
@@ -22,6 +22,7 @@ pub mod diagnostic;
 pub mod guess;
 pub mod import;
 pub mod json;
+pub mod library_file;
 pub mod limits;
 pub mod project_file;
 pub mod read_file;

@@ -5,6 +5,9 @@
 /// read whole.
 pub const MAX_MOTION_FILE_BYTES: u64 = 512 << 20;
 
+/// Largest library file, bytes: 4 GiB, some fifty times the CMU set with its graph.
+pub const MAX_LIBRARY_FILE_BYTES: u64 = 4 << 30;
+
 /// Largest project file, bytes: 64 MiB, far above thousands of constraints and baked takes.
 pub const MAX_PROJECT_FILE_BYTES: u64 = 64 << 20;
 

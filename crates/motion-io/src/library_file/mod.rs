@@ -1,0 +1,60 @@
+//! The library file, `.gwlib`: clips ready for use, checked to the last bit when it is opened.
+//!
+//! It holds no times and no paths of the machine, so the same clips give the same bytes.
+
+mod clips;
+
+use std::path::Path;
+
+use motion_core::clip::ClipSet;
+
+use crate::atomic_write::atomic_write;
+use crate::container::{Container, ContainerWriter};
+use crate::content_hash::ContentHash;
+use crate::diagnostic::FileError;
+use crate::limits::MAX_LIBRARY_FILE_BYTES;
+use crate::read_file::read_file;
+
+/// The version that is written, and the newest that is read.
+pub const FORMAT_VERSION: u32 = 1;
+
+/// A library as a file holds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LibraryFile {
+    /// The clips, floors calibrated.
+    pub clips: ClipSet,
+    /// Hash of the file that each clip came from, in the order of the clips.
+    pub content_hashes: Vec<ContentHash>,
+}
+
+impl LibraryFile {
+    /// The bytes of the file. The same library gives the same bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut container = ContainerWriter::new();
+        clips::add_clips(&mut container, &self.clips, &self.content_hashes);
+        container.finish(FORMAT_VERSION)
+    }
+
+    /// Reads the bytes of a library file; `path` is named in messages.
+    pub fn from_bytes(bytes: &[u8], path: &Path) -> Result<Self, FileError> {
+        let container = Container::read(bytes, path, FORMAT_VERSION)?;
+        let (clips, content_hashes) = clips::read_clips(&container)?;
+        Ok(Self { clips, content_hashes })
+    }
+
+    /// Writes the library to `path`, whole or not at all; returns its content hash.
+    pub fn save(&self, path: &Path) -> Result<ContentHash, FileError> {
+        let bytes = self.to_bytes();
+        atomic_write(path, &bytes)?;
+        Ok(ContentHash::of(&bytes))
+    }
+
+    /// Reads the library at `path` and its content hash. Damage of any kind is refused.
+    pub fn load(path: &Path) -> Result<(Self, ContentHash), FileError> {
+        let bytes = read_file(path, MAX_LIBRARY_FILE_BYTES)?;
+        Ok((Self::from_bytes(&bytes, path)?, ContentHash::of(&bytes)))
+    }
+}
+
+#[cfg(test)]
+mod tests;

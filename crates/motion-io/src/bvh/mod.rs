@@ -1,6 +1,6 @@
 //! BVH, the Biovision hierarchy: a skeleton and Euler angles as text.
 //!
-//! Reading takes two steps: [`read`] makes a [`Bvh`] of the text, in the file's own units and
+//! Reading takes two steps: [`read`](read()) makes a [`Bvh`] of the text, in the file's own units and
 //! channels; [`Bvh::to_motion`] makes a skeleton and a motion of that. [`write`](write()) goes
 //! the other way.
 //!

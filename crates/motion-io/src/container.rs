@@ -16,7 +16,10 @@
 
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use crate::bytes::{ByteReader, ByteWriter, Fault};
+use crate::content_hash::ContentHash;
 use crate::diagnostic::FileError;
 use crate::limits::MAX_SECTIONS;
 
@@ -41,8 +44,8 @@ impl ContainerWriter {
         self.sections.push((name.to_owned(), bytes));
     }
 
-    /// The file's bytes. The same sections give the same bytes.
-    pub fn finish(self, version: u32) -> Vec<u8> {
+    /// The file's bytes and what identifies its content. The same sections give the same bytes.
+    pub fn finish(self, version: u32) -> (Vec<u8>, ContentHash) {
         let mut table = ByteWriter::new();
         for (name, bytes) in &self.sections {
             table.str(name);
@@ -55,12 +58,13 @@ impl ContainerWriter {
         out.raw(MAGIC);
         out.u32(version);
         out.u32(u32::try_from(self.sections.len()).unwrap_or(u32::MAX));
-        out.raw(blake3::hash(&table).as_bytes());
+        let content_hash = ContentHash::of(&table);
+        out.raw(&content_hash.0);
         out.raw(&table);
         for (_, bytes) in &self.sections {
             out.raw(bytes);
         }
-        out.into_bytes()
+        (out.into_bytes(), content_hash)
     }
 }
 
@@ -69,6 +73,7 @@ impl ContainerWriter {
 pub struct Container<'a> {
     path: &'a Path,
     version: u32,
+    content_hash: ContentHash,
     sections: Vec<(&'a str, &'a [u8])>,
 }
 
@@ -104,41 +109,18 @@ impl<'a> Container<'a> {
         if n_sections > MAX_SECTIONS {
             return Err(damaged(Fault::Value("number of sections")));
         }
-        let sections = Self::sections(&mut reader, n_sections).map_err(damaged)?;
-        Ok(Self { path, version, sections })
-    }
-
-    fn sections(
-        reader: &mut ByteReader<'a>,
-        n_sections: u32,
-    ) -> Result<Vec<(&'a str, &'a [u8])>, Fault> {
-        let table_hash = reader.raw(32)?;
-        let table_start = reader.rest();
-        let mut table = Vec::new();
-        for _ in 0..n_sections {
-            let name = reader.str()?;
-            let len = usize::try_from(reader.u64()?).or(Err(Fault::Length))?;
-            table.push((name, len, reader.raw(32)?));
-        }
-        let table_bytes = &table_start[..table_start.len() - reader.rest().len()];
-        if blake3::hash(table_bytes).as_bytes() != table_hash {
-            return Err(Fault::Checksum("its table".to_owned()));
-        }
-        let mut sections = Vec::with_capacity(table.len());
-        for (name, len, hash) in table {
-            let bytes = reader.raw(len)?;
-            if blake3::hash(bytes).as_bytes() != hash {
-                return Err(Fault::Checksum(format!("section {name:?}")));
-            }
-            sections.push((name, bytes));
-        }
-        reader.finish()?;
-        Ok(sections)
+        let (content_hash, sections) = read_sections(&mut reader, n_sections).map_err(damaged)?;
+        Ok(Self { path, version, content_hash, sections })
     }
 
     /// The version of what is in it.
     pub fn version(&self) -> u32 {
         self.version
+    }
+
+    /// What identifies the content: the hash of the table, which holds the hashes of all sections.
+    pub fn content_hash(&self) -> ContentHash {
+        self.content_hash
     }
 
     /// The names of the sections, in order.
@@ -181,6 +163,41 @@ impl<'a> Container<'a> {
     }
 }
 
+type Sections<'a> = Vec<(&'a str, &'a [u8])>;
+
+/// The table's hash and the sections, all checksums checked.
+fn read_sections<'a>(
+    reader: &mut ByteReader<'a>,
+    n_sections: u32,
+) -> Result<(ContentHash, Sections<'a>), Fault> {
+    let table_hash = reader.raw(32)?;
+    let table_start = reader.rest();
+    let mut table = Vec::new();
+    for _ in 0..n_sections {
+        let name = reader.str()?;
+        let len = usize::try_from(reader.u64()?).or(Err(Fault::Length))?;
+        table.push((name, len, reader.raw(32)?));
+    }
+    let content_hash = ContentHash::of(&table_start[..table_start.len() - reader.rest().len()]);
+    if content_hash.0 != table_hash {
+        return Err(Fault::Checksum("its table".to_owned()));
+    }
+    let mut sections = Vec::with_capacity(table.len());
+    for &(name, len, _) in &table {
+        sections.push((name, reader.raw(len)?));
+    }
+    reader.finish()?;
+    // Hashing is most of the time that opening a large library takes.
+    let wrong = sections
+        .par_iter()
+        .zip(&table)
+        .position_first(|(&(_, bytes), &(_, _, hash))| ContentHash::of(bytes).0 != hash);
+    match wrong {
+        Some(at) => Err(Fault::Checksum(format!("section {:?}", sections[at].0))),
+        None => Ok((content_hash, sections)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -193,7 +210,7 @@ mod tests {
         let mut writer = ContainerWriter::new();
         writer.add("numbers", numbers.into_bytes());
         writer.add("empty", Vec::new());
-        writer.finish(3)
+        writer.finish(3).0
     }
 
     fn error_of(bytes: &[u8]) -> String {
@@ -226,7 +243,7 @@ mod tests {
              library build"
         );
         assert_eq!(
-            error_of(&ContainerWriter::new().finish(4)),
+            error_of(&ContainerWriter::new().finish(4).0),
             "a.gwlib: the library is version 4, newer than the 3 that is known here; use a newer \
              Gaitway, or build the library again"
         );

@@ -28,31 +28,30 @@ pub struct LibraryFile {
 }
 
 impl LibraryFile {
-    /// The bytes of the file. The same library gives the same bytes.
-    pub fn to_bytes(&self) -> Vec<u8> {
+    /// The bytes of the file and its content hash. The same library gives the same bytes.
+    pub fn to_bytes(&self) -> (Vec<u8>, ContentHash) {
         let mut container = ContainerWriter::new();
         clips::add_clips(&mut container, &self.clips, &self.content_hashes);
         container.finish(FORMAT_VERSION)
     }
 
-    /// Reads the bytes of a library file; `path` is named in messages.
-    pub fn from_bytes(bytes: &[u8], path: &Path) -> Result<Self, FileError> {
+    /// Reads the bytes of a library file and its content hash; `path` is named in messages.
+    pub fn from_bytes(bytes: &[u8], path: &Path) -> Result<(Self, ContentHash), FileError> {
         let container = Container::read(bytes, path, FORMAT_VERSION)?;
         let (clips, content_hashes) = clips::read_clips(&container)?;
-        Ok(Self { clips, content_hashes })
+        Ok((Self { clips, content_hashes }, container.content_hash()))
     }
 
     /// Writes the library to `path`, whole or not at all; returns its content hash.
     pub fn save(&self, path: &Path) -> Result<ContentHash, FileError> {
-        let bytes = self.to_bytes();
+        let (bytes, content_hash) = self.to_bytes();
         atomic_write(path, &bytes)?;
-        Ok(ContentHash::of(&bytes))
+        Ok(content_hash)
     }
 
     /// Reads the library at `path` and its content hash. Damage of any kind is refused.
     pub fn load(path: &Path) -> Result<(Self, ContentHash), FileError> {
-        let bytes = read_file(path, MAX_LIBRARY_FILE_BYTES)?;
-        Ok((Self::from_bytes(&bytes, path)?, ContentHash::of(&bytes)))
+        Self::from_bytes(&read_file(path, MAX_LIBRARY_FILE_BYTES)?, path)
     }
 }
 

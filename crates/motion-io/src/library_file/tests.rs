@@ -44,10 +44,11 @@ fn small() -> LibraryFile {
 #[test]
 fn a_library_comes_back_to_the_last_bit() {
     let library = small();
-    let bytes = library.to_bytes();
-    let again = LibraryFile::from_bytes(&bytes, Path::new("a.gwlib")).unwrap();
+    let (bytes, hash) = library.to_bytes();
+    let (again, hash_read) = LibraryFile::from_bytes(&bytes, Path::new("a.gwlib")).unwrap();
     assert_eq!(again, library);
-    assert_eq!(again.to_bytes(), bytes);
+    assert_eq!(hash_read, hash);
+    assert_eq!(again.to_bytes(), (bytes, hash));
 }
 
 #[test]
@@ -62,7 +63,7 @@ fn a_library_is_saved_and_loaded_with_its_hash() {
 #[test]
 fn sections_with_right_checksums_and_wrong_content_are_refused() {
     // Each section in turn cut, emptied or with one byte changed, its checksum made anew.
-    let bytes = small().to_bytes();
+    let (bytes, _) = small().to_bytes();
     let path = Path::new("a.gwlib");
     let container = Container::read(&bytes, path, FORMAT_VERSION).unwrap();
     let names: Vec<&str> = container.names().collect();
@@ -82,7 +83,7 @@ fn sections_with_right_checksums_and_wrong_content_are_refused() {
                     writer.add(name, if name == damaged_name { changed.clone() } else { bytes });
                 }
                 // Some changes make another valid library; none may panic.
-                let result = LibraryFile::from_bytes(&writer.finish(FORMAT_VERSION), path);
+                let result = LibraryFile::from_bytes(&writer.finish(FORMAT_VERSION).0, path);
                 assert!(change > 0 || result.is_err(), "{damaged_name} cut at {at}");
             }
         }
@@ -101,9 +102,9 @@ fn the_real_clips_come_back() {
     let content_hashes = imported.clips.iter().map(|clip| clip.content_hash).collect();
     let (clips, _) = imported.into_clip_set().unwrap();
     let library = LibraryFile { clips, content_hashes };
-    let bytes = library.to_bytes();
+    let (bytes, _) = library.to_bytes();
     let start = Instant::now();
-    let again = LibraryFile::from_bytes(&bytes, Path::new("cmu.gwlib")).unwrap();
+    let (again, _) = LibraryFile::from_bytes(&bytes, Path::new("cmu.gwlib")).unwrap();
     println!("{} bytes read in {:?}", bytes.len(), start.elapsed());
     assert!(again == library, "the clips of the file are those that were saved");
 }

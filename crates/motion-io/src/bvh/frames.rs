@@ -36,7 +36,7 @@ pub(super) fn read_frames(
             return Err(FileError::new(
                 path,
                 format!(
-                    "there are more than the {n_frames} frames that line {} says",
+                    "there are more frames than the {n_frames} that line {} says",
                     frames.number
                 ),
                 "correct the number behind Frames:",

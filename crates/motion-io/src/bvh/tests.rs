@@ -220,7 +220,7 @@ fn malformed_motions_are_refused_with_their_line() {
     check_error(
         "Frames: 2",
         "Frames: 1",
-        "a.bvh:20: there are more than the 1 frames that line 17 says; correct the number behind \
+        "a.bvh:20: there are more frames than the 1 that line 17 says; correct the number behind \
          Frames:",
     );
     check_error(

@@ -9,10 +9,15 @@
 //!
 //! This crate has no clock, no IO, no UI and no serde: results depend on arguments alone.
 
+
+mod testing;
+
 pub mod assemble;
+pub mod cancel;
 pub mod clip;
 pub mod contacts;
 pub mod floor;
+pub mod graph;
 pub mod ground;
 pub mod ids;
 pub mod ik;
@@ -20,8 +25,6 @@ pub mod measure;
 pub mod motion;
 pub mod planar;
 pub mod rotation;
+pub mod similarity;
 pub mod skeleton;
 pub mod units;
-
-#[cfg(test)]
-mod testing;

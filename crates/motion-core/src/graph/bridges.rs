@@ -1,0 +1,279 @@
+//! Bridges: the cheapest cuts between parts of a library that τ alone leaves apart.
+//!
+//! With a strict τ real libraries fall into islands: the runs of one person cannot be reached
+//! from his walks. For each ordered pair of parts without a link, the [`PER_LINK`] cheapest
+//! well-separated cuts are added at their true cost, until every clip is in the main component.
+
+use rayon::prelude::*;
+
+use super::components::Connectivity;
+use super::forest::{ClipPair, Edge, Forest};
+use crate::ids::ClipId;
+use crate::similarity::FeatureSet;
+use crate::units::FrameIdx;
+
+/// Cuts per link.
+pub const PER_LINK: usize = 16;
+
+/// Two cuts of one clip pair are well separated when they are at least this many frames apart
+/// in the frame left or in the frame entered.
+pub const SEPARATION: u32 = 10;
+
+/// With more parts than this, each part is only linked with its nearest ones: the number of
+/// links stays linear in the number of parts.
+const NEAREST_PARTS: usize = 24;
+
+/// Clip pairs that are looked at for one link, cheapest first.
+const CLIP_PAIRS_PER_LINK: usize = 12;
+
+/// A cut between two clips.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bridge {
+    /// The clip that is left.
+    pub from: ClipId,
+    /// The clip that is entered.
+    pub to: ClipId,
+    /// The cut.
+    pub edge: Edge,
+}
+
+/// The frames by which a clip may be left and entered by a bridge, so that what enters it can
+/// leave again: `leave_from..` and `..=enter_until`.
+struct Gate {
+    leave_from: u32,
+    enter_until: u32,
+}
+
+fn gate(connectivity: &Connectivity, clip: usize, n_frames: u32) -> Option<Gate> {
+    if n_frames < 2 {
+        return None;
+    }
+    let gate = match connectivity.core[clip] {
+        // Node `f` of a cycle has been shown: one enters a frame earlier.
+        Some((first, last)) => Gate { leave_from: first.max(1), enter_until: last.max(1) - 1 },
+        // A clip of its own: enter it early, leave it late, so that most of it can be used.
+        None => Gate {
+            leave_from: (n_frames * 3 / 5).max(1),
+            enter_until: (n_frames * 2 / 5).min(n_frames - 2),
+        },
+    };
+    Some(gate)
+}
+
+/// Bridges for every ordered pair of parts that has no usable link yet.
+///
+/// `clip_pair_costs[a · n_clips + b]` is the least cost between two clips; it chooses which clip
+/// pairs are looked at in full.
+pub fn find_bridges(
+    features: &FeatureSet,
+    clip_pair_costs: &[f32],
+    forest: &Forest,
+    connectivity: &Connectivity,
+    clip_frames: &[u32],
+) -> Vec<Bridge> {
+    let n_parts = connectivity.n_parts as usize;
+    let n_clips = clip_frames.len();
+    let gates: Vec<Option<Gate>> =
+        (0..n_clips).map(|clip| gate(connectivity, clip, clip_frames[clip])).collect();
+    let mut clips_of_part: Vec<Vec<usize>> = vec![Vec::new(); n_parts];
+    for (clip, &part) in connectivity.part_of_clip.iter().enumerate() {
+        if gates[clip].is_some() {
+            clips_of_part[part as usize].push(clip);
+        }
+    }
+    let linked = usable_links(forest, connectivity, &gates, n_parts);
+    let cost_between = |a: usize, b: usize| clip_pair_costs[a * n_clips + b];
+    // Least cost between parts; decides who is near when there are many.
+    let part_cost = |a: usize, b: usize| {
+        let pairs =
+            clips_of_part[a].iter().flat_map(|&x| clips_of_part[b].iter().map(move |&y| (x, y)));
+        pairs.map(|(x, y)| cost_between(x, y)).fold(f32::INFINITY, f32::min)
+    };
+    let mut links: Vec<(usize, usize)> = Vec::new();
+    for a in 0..n_parts {
+        let mut others: Vec<(f32, usize)> =
+            (0..n_parts).filter(|&b| b != a).map(|b| (part_cost(a, b), b)).collect();
+        others.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+        for (rank, &(cost, b)) in others.iter().enumerate() {
+            // The main part is always linked, whatever its rank: that makes the graph whole.
+            if cost.is_finite() && (rank < NEAREST_PARTS || b == 0) {
+                links.push((a, b));
+                links.push((b, a));
+            }
+        }
+    }
+    links.sort_unstable();
+    links.dedup();
+    links.retain(|&(a, b)| !linked[a * n_parts + b]);
+    let found: Vec<Vec<Bridge>> = links
+        .into_par_iter()
+        .map(|(a, b)| {
+            let mut pairs: Vec<(f32, usize, usize)> = clips_of_part[a]
+                .iter()
+                .flat_map(|&x| clips_of_part[b].iter().map(move |&y| (cost_between(x, y), x, y)))
+                .collect();
+            pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+            pairs.truncate(CLIP_PAIRS_PER_LINK);
+            let mut cuts: Vec<Bridge> = pairs
+                .into_iter()
+                .flat_map(|(_, x, y)| cuts_between(features, &gates, x, y, clip_frames))
+                .collect();
+            cuts.sort_by(|x, y| {
+                let key = |b: &Bridge| (b.from, b.to, b.edge.from_frame, b.edge.to_frame);
+                x.edge.cost.total_cmp(&y.edge.cost).then(key(x).cmp(&key(y)))
+            });
+            well_separated(cuts)
+        })
+        .collect();
+    found.concat()
+}
+
+/// Which ordered pairs of parts have an edge by which one can really pass.
+fn usable_links(
+    forest: &Forest,
+    connectivity: &Connectivity,
+    gates: &[Option<Gate>],
+    n_parts: usize,
+) -> Vec<bool> {
+    let mut linked = vec![false; n_parts * n_parts];
+    for pair in forest.pairs() {
+        let part = |clip: ClipId| connectivity.part_of_clip[clip.idx()] as usize;
+        let slot = part(pair.from) * n_parts + part(pair.to);
+        if linked[slot] || part(pair.from) == part(pair.to) {
+            continue;
+        }
+        let (Some(leave), Some(enter)) = (&gates[pair.from.idx()], &gates[pair.to.idx()]) else {
+            continue;
+        };
+        linked[slot] = (pair.first_node..pair.end_node).map(super::EdgeId).any(|id| {
+            let edge = forest.edge(id);
+            forest.is_leaf(id)
+                && edge.from_frame.0 >= leave.leave_from
+                && edge.to_frame.0 <= enter.enter_until
+        });
+    }
+    linked
+}
+
+/// Local minima of the cost between two clips, within their gates.
+fn cuts_between(
+    features: &FeatureSet,
+    gates: &[Option<Gate>],
+    from: usize,
+    to: usize,
+    clip_frames: &[u32],
+) -> Vec<Bridge> {
+    let (Some(leave), Some(enter)) = (&gates[from], &gates[to]) else { return Vec::new() };
+    let rows: Vec<u32> = (leave.leave_from..clip_frames[from]).collect();
+    let columns: Vec<u32> = (0..=enter.enter_until.min(clip_frames[to] - 1)).collect();
+    let start = |clip: usize, frame: u32| features.frame_starts[clip] + frame as usize;
+    // Every third frame finds each valley of a smooth cost; its bottom is then walked to.
+    let cost = |i: usize, j: usize| features.cost(start(from, rows[i]), start(to, columns[j]));
+    let (n, m) = (rows.len(), columns.len());
+    let mut cuts = Vec::new();
+    if n == 0 || m == 0 {
+        return cuts;
+    }
+    const STEP: usize = 3;
+    let (n_coarse, m_coarse) = (n.div_ceil(STEP), m.div_ceil(STEP));
+    let coarse: Vec<f64> = (0..n_coarse * m_coarse)
+        .map(|at| cost(at / m_coarse * STEP, at % m_coarse * STEP))
+        .collect();
+    for i in 0..n_coarse {
+        for j in 0..m_coarse {
+            let here = coarse[i * m_coarse + j];
+            let lowest = (i.saturating_sub(1)..(i + 2).min(n_coarse)).all(|a| {
+                (j.saturating_sub(1)..(j + 2).min(m_coarse))
+                    .all(|b| coarse[a * m_coarse + b] >= here)
+            });
+            if !lowest {
+                continue;
+            }
+            let (mut at, mut least) = ((i * STEP, j * STEP), here);
+            loop {
+                let before = at;
+                for a in before.0.saturating_sub(1)..(before.0 + 2).min(n) {
+                    for b in before.1.saturating_sub(1)..(before.1 + 2).min(m) {
+                        let value = cost(a, b);
+                        if value < least {
+                            (at, least) = ((a, b), value);
+                        }
+                    }
+                }
+                if at == before {
+                    break;
+                }
+            }
+            cuts.push(Bridge {
+                from: ClipId::from_idx(from),
+                to: ClipId::from_idx(to),
+                edge: Edge {
+                    from_frame: FrameIdx(rows[at.0]),
+                    to_frame: FrameIdx(columns[at.1]),
+                    cost: least as f32,
+                },
+            });
+        }
+    }
+    cuts
+}
+
+/// The first [`PER_LINK`] of `cuts` that are well separated from those before them.
+fn well_separated(cuts: Vec<Bridge>) -> Vec<Bridge> {
+    let mut kept: Vec<Bridge> = Vec::new();
+    for cut in cuts {
+        let near = |other: &Bridge| {
+            (other.from, other.to) == (cut.from, cut.to)
+                && other.edge.from_frame.0.abs_diff(cut.edge.from_frame.0) < SEPARATION
+                && other.edge.to_frame.0.abs_diff(cut.edge.to_frame.0) < SEPARATION
+        };
+        if kept.len() < PER_LINK && !kept.iter().any(near) {
+            kept.push(cut);
+        }
+    }
+    kept
+}
+
+/// `forest` with `bridges` added to its pairs; a cut that is an edge already is left out.
+pub fn with_bridges(
+    forest: &Forest,
+    bridges: &[Bridge],
+    clip_frames: &[u32],
+) -> Result<Forest, super::forest::ForestError> {
+    let old = forest.to_parts();
+    let mut bridges = bridges.to_vec();
+    bridges.sort_by_key(|b| (b.from, b.to, b.edge.from_frame, b.edge.to_frame));
+    let mut parts = super::forest::ForestParts::default();
+    let mut keys: Vec<(ClipId, ClipId)> = forest.pairs().iter().map(|p| (p.from, p.to)).collect();
+    keys.extend(bridges.iter().map(|b| (b.from, b.to)));
+    keys.sort_unstable();
+    keys.dedup();
+    let mut old_pairs = forest.pairs().iter().peekable();
+    let mut new = bridges.iter().peekable();
+    for key in keys {
+        let first_node = parts.costs.len() as u32;
+        let mut first_bridge = first_node;
+        if let Some(pair) = old_pairs.next_if(|pair| (pair.from, pair.to) == key) {
+            let nodes = pair.first_node as usize..pair.end_node as usize;
+            parts.from_frames.extend_from_slice(&old.from_frames[nodes.clone()]);
+            parts.to_frames.extend_from_slice(&old.to_frames[nodes.clone()]);
+            parts.costs.extend_from_slice(&old.costs[nodes.clone()]);
+            parts.n_leaves.extend_from_slice(&old.n_leaves[nodes]);
+            first_bridge += pair.first_bridge - pair.first_node;
+        }
+        while let Some(bridge) = new.next_if(|bridge| (bridge.from, bridge.to) == key) {
+            let label = |node: usize| (parts.from_frames[node], parts.to_frames[node]);
+            let cut = (bridge.edge.from_frame.0, bridge.edge.to_frame.0);
+            if (first_bridge as usize..parts.costs.len()).any(|node| label(node) == cut) {
+                continue;
+            }
+            parts.from_frames.push(cut.0);
+            parts.to_frames.push(cut.1);
+            parts.costs.push(bridge.edge.cost);
+            parts.n_leaves.push(1);
+        }
+        let end_node = parts.costs.len() as u32;
+        parts.pairs.push(ClipPair { from: key.0, to: key.1, first_node, first_bridge, end_node });
+    }
+    Forest::from_parts(parts, clip_frames)
+}

@@ -1,0 +1,267 @@
+//! From clips to a graph: features, τ, all edges under it, islands, clusters, trees, bridges.
+
+use rayon::prelude::*;
+
+use super::MotionGraph;
+use super::bridges::{find_bridges, with_bridges};
+use super::cluster::{clusters, split_in_two};
+use super::components::connectivity;
+use super::forest::{ClipPair, Edge, Forest, ForestError, ForestParts};
+use super::islands::islands;
+use crate::cancel::{CancelToken, Cancelled};
+use crate::clip::ClipSet;
+use crate::ids::ClipId;
+use crate::similarity::distance_grid::{NearPair, nearest, pairs_below};
+use crate::similarity::{FeatureSet, metric_columns};
+use crate::units::FrameIdx;
+
+/// How the threshold is chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TauRule {
+    /// The cost under which this share of all frames has a neighbour in another clip.
+    NeighbourQuantile(f64),
+    /// This cost.
+    Fixed(f64),
+}
+
+impl Default for TauRule {
+    fn default() -> Self {
+        Self::NeighbourQuantile(0.6)
+    }
+}
+
+/// What a build may be told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BuildOptions {
+    /// The threshold.
+    pub tau: TauRule,
+    /// Whether parts that τ leaves apart are joined.
+    pub bridges: bool,
+    /// Edges within one clip that would jump for less than this are no cut.
+    pub min_jump_secs: f64,
+    /// Bytes that the edges may take; τ is lowered where they would take more.
+    pub edge_budget_bytes: usize,
+}
+
+impl Default for BuildOptions {
+    fn default() -> Self {
+        Self {
+            tau: TauRule::default(),
+            bridges: true,
+            min_jump_secs: 0.3,
+            edge_budget_bytes: 2 << 30,
+        }
+    }
+}
+
+/// What one pair of frames costs at the height of a build: the pair itself twice while it is
+/// sorted, and two directed edges with their inner nodes, once in pieces and once joined.
+const BYTES_PER_PAIR: usize = 2 * 12 + 2 * 2 * 2 * 16;
+
+/// Why a graph could not be built.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// There is nothing to build from.
+    #[error("a graph needs at least one clip")]
+    NoClips,
+    /// The threshold is no cost.
+    #[error("τ must be a positive number and is {0}; leave it out for the default")]
+    BadTau(f64),
+    /// Somebody cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// A bug in this module.
+    #[error(transparent)]
+    Forest(#[from] ForestError),
+}
+
+/// What a build is doing; the share of that stage that is done, 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Feature vectors.
+    Features,
+    /// Nearest neighbours, from which τ follows.
+    Neighbours,
+    /// All pairs under τ.
+    Edges(f32),
+    /// Islands, clusters and trees.
+    Hierarchy,
+    /// Components and bridges.
+    Bridges,
+}
+
+/// Builds the graph of `clips`. The result does not depend on the number of threads.
+pub fn build(
+    clips: &ClipSet,
+    options: &BuildOptions,
+    cancel: &CancelToken,
+    progress: &(dyn Fn(Stage) + Sync),
+) -> Result<MotionGraph, BuildError> {
+    if clips.clips().is_empty() {
+        return Err(BuildError::NoClips);
+    }
+    if let TauRule::Fixed(tau) = options.tau
+        && !(tau > 0.0 && tau.is_finite())
+    {
+        return Err(BuildError::BadTau(tau));
+    }
+    progress(Stage::Features);
+    let features = FeatureSet::new(clips, metric_columns(clips.skeleton()));
+    progress(Stage::Neighbours);
+    let nearest = nearest(&features, cancel)?;
+    let tau = match options.tau {
+        TauRule::Fixed(tau) => tau,
+        TauRule::NeighbourQuantile(share) => quantile(&nearest.other_clip, share),
+    };
+    let clip_frames: Vec<u32> = clips.clips().iter().map(|clip| clip.n_frames() as u32).collect();
+    let min_jump = clips.fps().frames_in_secs(options.min_jump_secs).max(1);
+    let max_pairs = (options.edge_budget_bytes / BYTES_PER_PAIR).max(1);
+    let on_edges = |share: f32| progress(Stage::Edges(share));
+    let near = pairs_below(&features, tau, min_jump, max_pairs, cancel, &on_edges)?;
+    progress(Stage::Hierarchy);
+    let mut forest = grow_forest(&features, near.pairs, &clip_frames, cancel)?;
+    progress(Stage::Bridges);
+    let by_tau = connectivity(&forest, &clip_frames, false);
+    let mut with_all = by_tau.clone();
+    if options.bridges {
+        // A second round joins what frame order still kept apart after the first.
+        for _ in 0..4 {
+            if with_all.is_whole() {
+                break;
+            }
+            if cancel.is_cancelled() {
+                return Err(Cancelled.into());
+            }
+            let costs = &nearest.clip_pair;
+            let bridges = find_bridges(&features, costs, &forest, &with_all, &clip_frames);
+            if bridges.is_empty() {
+                break;
+            }
+            forest = with_bridges(&forest, &bridges, &clip_frames)?;
+            with_all = connectivity(&forest, &clip_frames, true);
+        }
+    }
+    Ok(MotionGraph {
+        metric: features.metric,
+        tau: near.tau,
+        min_jump: min_jump as u32,
+        clip_frames,
+        forest,
+        by_tau,
+        with_bridges: with_all,
+    })
+}
+
+/// The value under which `share` of the finite `values` lie (nearest rank); 1 without any.
+fn quantile(values: &[f64], share: f64) -> f64 {
+    let mut values: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    if values.is_empty() {
+        return 1.0;
+    }
+    let rank = ((share * values.len() as f64).ceil() as usize).clamp(1, values.len());
+    let (_, &mut value, _) = values.select_nth_unstable_by(rank - 1, f64::total_cmp);
+    // τ is exclusive (`C < τ`) and the frame at the rank itself shall have its neighbour.
+    value.max(1e-9) * (1.0 + 1e-9)
+}
+
+/// Islands, clusters and trees of every pair of clips.
+fn grow_forest(
+    features: &FeatureSet,
+    near: Vec<NearPair>,
+    clip_frames: &[u32],
+    cancel: &CancelToken,
+) -> Result<Forest, BuildError> {
+    let by_pair = directed_edges(features, &near);
+    drop(near);
+    let trees: Vec<(ClipId, ClipId, ForestParts)> = by_pair
+        .into_par_iter()
+        .map(|(from, to, edges)| {
+            let mut parts = ForestParts::default();
+            let mut scratch = Vec::new();
+            if !cancel.is_cancelled() {
+                for island in islands(&edges) {
+                    for mut cluster in clusters(&island) {
+                        grow_tree(&mut cluster, &mut parts, &mut scratch);
+                    }
+                }
+            }
+            (from, to, parts)
+        })
+        .collect();
+    if cancel.is_cancelled() {
+        return Err(Cancelled.into());
+    }
+    let mut all = ForestParts::default();
+    for (from, to, parts) in trees {
+        let first_node = all.costs.len() as u32;
+        all.from_frames.extend_from_slice(&parts.from_frames);
+        all.to_frames.extend_from_slice(&parts.to_frames);
+        all.costs.extend_from_slice(&parts.costs);
+        all.n_leaves.extend_from_slice(&parts.n_leaves);
+        let end_node = all.costs.len() as u32;
+        all.pairs.push(ClipPair { from, to, first_node, first_bridge: end_node, end_node });
+    }
+    Ok(Forest::from_parts(all, clip_frames)?)
+}
+
+/// Both directions of each near pair, grouped by clips and ordered by `(from, to)`.
+fn directed_edges(features: &FeatureSet, near: &[NearPair]) -> Vec<(ClipId, ClipId, Vec<Edge>)> {
+    let n_clips = features.frame_starts.len() - 1;
+    let mut clip_of_row = vec![0u32; features.n_rows()];
+    for (clip, bounds) in features.frame_starts.windows(2).enumerate() {
+        clip_of_row[bounds[0]..bounds[1]].fill(clip as u32);
+    }
+    // A library has few pairs of clips next to its pairs of frames, so a slot for each is cheap
+    // up to some thousand clips; beyond that, sort.
+    let mut slots: std::collections::BTreeMap<(u32, u32), Vec<Edge>> =
+        std::collections::BTreeMap::new();
+    let frame =
+        |row: u32| FrameIdx(row - features.frame_starts[clip_of_row[row as usize] as usize] as u32);
+    let mut last: Option<((u32, u32), Vec<Edge>)> = None;
+    let mut add = |key: (u32, u32), edge: Edge| match &mut last {
+        Some((open, edges)) if *open == key => edges.push(edge),
+        _ => {
+            if let Some((open, edges)) = last.replace((key, vec![edge])) {
+                slots.entry(open).or_default().extend(edges);
+            }
+        }
+    };
+    debug_assert!(n_clips < u32::MAX as usize, "too many clips");
+    for pair in near {
+        let (a, b) = (clip_of_row[pair.a as usize], clip_of_row[pair.b as usize]);
+        let edge = Edge { from_frame: frame(pair.a), to_frame: frame(pair.b), cost: pair.cost };
+        add((a, b), edge);
+    }
+    for pair in near {
+        let (a, b) = (clip_of_row[pair.a as usize], clip_of_row[pair.b as usize]);
+        let edge = Edge { from_frame: frame(pair.b), to_frame: frame(pair.a), cost: pair.cost };
+        add((b, a), edge);
+    }
+    if let Some((open, edges)) = last {
+        slots.entry(open).or_default().extend(edges);
+    }
+    let mut grouped: Vec<(ClipId, ClipId, Vec<Edge>)> =
+        slots.into_iter().map(|((a, b), edges)| (ClipId(a), ClipId(b), edges)).collect();
+    grouped.par_iter_mut().for_each(|(_, _, edges)| {
+        edges.sort_unstable_by_key(|edge| (edge.from_frame, edge.to_frame));
+    });
+    grouped
+}
+
+/// Appends the tree over `edges` in depth-first order.
+fn grow_tree(edges: &mut [Edge], parts: &mut ForestParts, scratch: &mut Vec<Edge>) {
+    let n = edges.len() as u64;
+    let sum = |frame: fn(&Edge) -> u32| edges.iter().map(|e| u64::from(frame(e))).sum::<u64>();
+    let rounded_mean = |sum: u64| ((sum + n / 2) / n) as u32;
+    parts.from_frames.push(rounded_mean(sum(|e| e.from_frame.0)));
+    parts.to_frames.push(rounded_mean(sum(|e| e.to_frame.0)));
+    let cost = edges.iter().map(|e| f64::from(e.cost)).sum::<f64>() / n as f64;
+    parts.costs.push(cost as f32);
+    parts.n_leaves.push(n as u32);
+    if edges.len() > 1 {
+        let second = split_in_two(edges, scratch);
+        let (first, second) = edges.split_at_mut(second);
+        grow_tree(first, parts, scratch);
+        grow_tree(second, parts, scratch);
+    }
+}

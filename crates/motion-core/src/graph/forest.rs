@@ -215,6 +215,13 @@ impl Forest {
         })
     }
 
+    /// The cheapest leaf under a node, the first of equals.
+    pub fn cheapest_leaf(&self, id: EdgeId) -> Option<EdgeId> {
+        let subtree = id.0..id.0 + 2 * self.n_leaves(id) - 1;
+        let leaves = subtree.map(EdgeId).filter(|&node| self.is_leaf(node));
+        leaves.min_by(|&a, &b| self.costs[a.idx()].total_cmp(&self.costs[b.idx()]))
+    }
+
     /// The pair that a node belongs to.
     pub fn pair_of(&self, id: EdgeId) -> &ClipPair {
         let after = self.pairs.partition_point(|pair| pair.first_node <= id.0);

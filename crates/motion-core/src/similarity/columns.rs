@@ -27,25 +27,25 @@ pub struct Column {
     pub derivative_weight: f64,
 }
 
-/// Feet are heavier than hands: a foot that jumps slides on the floor, where everyone sees it.
-/// Parts that move with a heavier neighbour (toes of a foot, shoulders of a chest) are left out
-/// or light. A column that is left out has weight 0.
+/// Feet are much heavier than hands: a foot that jumps slides on the floor, where everyone sees
+/// it, while an arm can be eased over a second. Parts that move with a heavier neighbour
+/// (shoulders of a chest, hip joints of the hips) have weight 0 and are left out.
 const ROLE_WEIGHTS: &[(JointRole, f64)] = &[
-    (JointRole::Hips, 1.0),
-    (JointRole::Spine1, 0.5),
-    (JointRole::Head, 0.5),
-    (JointRole::LeftArm, 0.25),
-    (JointRole::RightArm, 0.25),
-    (JointRole::LeftForeArm, 0.35),
-    (JointRole::RightForeArm, 0.35),
-    (JointRole::LeftHand, 0.35),
-    (JointRole::RightHand, 0.35),
-    (JointRole::LeftLeg, 0.8),
-    (JointRole::RightLeg, 0.8),
-    (JointRole::LeftFoot, 1.2),
-    (JointRole::RightFoot, 1.2),
-    (JointRole::LeftToeBase, 1.2),
-    (JointRole::RightToeBase, 1.2),
+    (JointRole::Hips, 0.5),
+    (JointRole::Spine1, 0.25),
+    (JointRole::Head, 0.25),
+    (JointRole::LeftArm, 0.1),
+    (JointRole::RightArm, 0.1),
+    (JointRole::LeftForeArm, 0.1),
+    (JointRole::RightForeArm, 0.1),
+    (JointRole::LeftHand, 0.1),
+    (JointRole::RightHand, 0.1),
+    (JointRole::LeftLeg, 2.0),
+    (JointRole::RightLeg, 2.0),
+    (JointRole::LeftFoot, 4.0),
+    (JointRole::RightFoot, 4.0),
+    (JointRole::LeftToeBase, 4.0),
+    (JointRole::RightToeBase, 4.0),
 ];
 
 /// How much the derivative of a column counts against the column itself.

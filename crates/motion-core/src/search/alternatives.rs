@@ -1,0 +1,119 @@
+//! Local minima kept as alternatives, each a different motion.
+//!
+//! Two motions are distinct when, placed in the world, their joints are on average at least
+//! [`DISTINCT_M`] apart at equal times (over the frames that both have). It is a distance between
+//! motions, not between labels: two paths through different clips may be the same walk.
+
+use glam::Vec3;
+
+use super::library::SearchLibrary;
+use super::problem::Target;
+use super::route::Route;
+use crate::planar::PlanarTransform;
+
+/// Mean joint distance from which two motions are different, metres.
+pub const DISTINCT_M: f32 = 0.10;
+
+/// The search asks for a little more, since correcting both onto the same checkpoints brings
+/// them nearer to each other.
+const DISTINCT_IN_SEARCH_M: f32 = 1.2 * DISTINCT_M;
+
+/// Frames between the samples of the first, coarse look.
+const STRIDE: u32 = 12;
+
+/// Distinct local minima, best first.
+#[derive(Clone, Debug)]
+pub(crate) struct Alternatives {
+    kept: Vec<Kept>,
+    n_max: usize,
+}
+
+/// An alternative and the round in which it was found.
+#[derive(Clone, Debug)]
+pub(crate) struct Kept {
+    pub(crate) route: Route,
+    pub(crate) found_in: u64,
+}
+
+impl Alternatives {
+    pub(crate) fn new(n_max: usize) -> Self {
+        Self { kept: Vec::new(), n_max }
+    }
+
+    pub(crate) fn kept(&self) -> &[Kept] {
+        &self.kept
+    }
+
+    /// Takes a local minimum in unless a better one is the same motion; a better one replaces
+    /// those that it is the same motion as. Returns whether it was taken.
+    pub(crate) fn offer(
+        &mut self,
+        library: &SearchLibrary,
+        target: &Target,
+        route: &Route,
+        round: u64,
+    ) -> bool {
+        let full = self.kept.len() >= self.n_max;
+        if full && self.kept.last().is_some_and(|worst| worst.route.score <= route.score) {
+            return false;
+        }
+        let at = self.kept.partition_point(|kept| kept.route.score <= route.score);
+        let same = |kept: &Kept| are_same_motion(library, target, &kept.route, route);
+        if self.kept[..at].iter().any(same) {
+            return false;
+        }
+        let mut behind = self.kept.split_off(at);
+        behind.retain(|kept| !same(kept));
+        self.kept.push(Kept { route: route.clone(), found_in: round });
+        self.kept.append(&mut behind);
+        self.kept.truncate(self.n_max);
+        true
+    }
+}
+
+fn are_same_motion(library: &SearchLibrary, target: &Target, a: &Route, b: &Route) -> bool {
+    let coarse = mean_joint_distance_m(library, target, a, b, STRIDE);
+    if coarse >= 2.0 * DISTINCT_IN_SEARCH_M {
+        return false;
+    }
+    if coarse <= 0.5 * DISTINCT_IN_SEARCH_M {
+        return true;
+    }
+    mean_joint_distance_m(library, target, a, b, 1) < DISTINCT_IN_SEARCH_M
+}
+
+/// Mean distance of joints at equal times, over every `stride`-th frame that both motions have,
+/// metres.
+pub(crate) fn mean_joint_distance_m(
+    library: &SearchLibrary,
+    target: &Target,
+    a: &Route,
+    b: &Route,
+    stride: u32,
+) -> f32 {
+    let (world_a, world_b) =
+        (a.world_from_laid(library, target), b.world_from_laid(library, target));
+    let n_frames = a.n_frames.min(b.n_frames);
+    let (mut sum, mut n) = (0.0f64, 0usize);
+    for frame in (0..n_frames).step_by(stride as usize) {
+        let (torso_a, joints_a) = frame_of(library, a, world_a, frame);
+        let (torso_b, joints_b) = frame_of(library, b, world_b, frame);
+        let b_from_a = torso_b.inverse() * torso_a;
+        let distances = joints_a.iter().zip(joints_b).map(|(&p, &q)| b_from_a.apply(p).distance(q));
+        sum += f64::from(distances.sum::<f32>());
+        n += joints_a.len();
+    }
+    (sum / n.max(1) as f64) as f32
+}
+
+fn frame_of<'a>(
+    library: &'a SearchLibrary,
+    route: &Route,
+    world_from_laid: PlanarTransform,
+    frame: u32,
+) -> (PlanarTransform, &'a [Vec3]) {
+    let span = route.span_at(frame);
+    let clip_frame = span.from + frame - span.starts_at;
+    let torso = span.world_from_clip * library.torsos(span.clip)[clip_frame as usize];
+    (world_from_laid * torso, library.joints(span.clip, clip_frame))
+}

@@ -1,0 +1,268 @@
+//! The slow twin of the scoring: every mutation laid out and judged from scratch.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+use proptest::prelude::*;
+
+use super::evaluate::{Best, Evaluator};
+use super::library::SearchLibrary;
+use super::mutation::Mutation;
+use super::problem::{Problem, Target};
+use super::rng::stream;
+use super::route::Route;
+use super::tables::Tables;
+use super::{Search, seeds};
+use crate::cancel::CancelToken;
+use crate::constraint::{BodyConstraint, LengthMode, LengthWish};
+use crate::fixture;
+use crate::score::{Weights, Wishes, judge};
+
+fn library(climbs: bool, seed: u64) -> Arc<SearchLibrary> {
+    let clips = fixture::clips(6, 90, climbs, seed);
+    let graph = fixture::graph(&clips);
+    assert!(graph.forest.n_nodes() > 200, "the fixture must have edges");
+    Arc::new(SearchLibrary::new(Arc::new(clips), Arc::new(graph)))
+}
+
+fn checkpoint(frame: u32, x: f32, z: f32, heading_rad: f32) -> BodyConstraint {
+    let position_m = Vec2::new(x, z);
+    BodyConstraint { frame, position_m, heading_rad, height_m: None, weight: 1.0 }
+}
+
+/// From the origin past a checkpoint to another; the first at frame `first`.
+fn wishes(first: u32, mode: LengthMode) -> Wishes {
+    Wishes {
+        length: Some(LengthWish { frames: 150, mode, weight: 1.0 }),
+        body: vec![
+            checkpoint(first, 0.0, 0.0, 0.0),
+            checkpoint(70, 0.5, 2.5, 0.3),
+            checkpoint(149, 2.0, 4.5, 0.8),
+        ],
+        weights: Weights::default(),
+    }
+}
+
+/// A path that has come some way downhill.
+fn some_route(library: &SearchLibrary, target: &Target, seed: u64) -> Route {
+    let all = vec![true; library.graph().n_clips()];
+    (0..100)
+        .find_map(|item| seeds::grow(library, target, (&all, true), &mut stream(seed, 1, item)))
+        .expect("a seed within a hundred")
+}
+
+#[test]
+fn a_route_scores_what_a_walk_over_its_frames_finds() {
+    for (climbs, first, seed) in [(false, 0, 1), (true, 0, 2), (true, 12, 3), (false, 5, 4)] {
+        let library = library(climbs, seed);
+        let wishes = wishes(first, LengthMode::Preferred);
+        let target = Target::new(&wishes);
+        for item in 0..20 {
+            let all = vec![true; 6];
+            let rng = &mut stream(seed, 9, item);
+            let Some(route) = seeds::grow(&library, &target, (&all, true), rng) else { continue };
+            let judged =
+                judge(library.graph(), library.clips(), &wishes, &route.path).expect("long enough");
+            let (fast, slow) = (route.score, judged.terms.total());
+            assert!(
+                (fast - slow).abs() <= 2e-3 * slow + 1e-3,
+                "{fast} is not {slow}: {:?}",
+                judged.terms
+            );
+        }
+    }
+}
+
+/// Every candidate that any scan keeps with no limit must score what its path scores.
+#[test]
+fn candidates_score_what_their_paths_score() {
+    for (climbs, seed) in [(false, 1), (true, 2), (true, 3)] {
+        let library = library(climbs, seed);
+        let target = Target::new(&wishes(0, LengthMode::Preferred));
+        let route = some_route(&library, &target, seed);
+        let tables = Tables::new(&library, &target, &route);
+        let all = vec![true; 6];
+        let scans: [(&str, fn(&mut Evaluator<'_>)); 6] = [
+            ("reconnect", |e| e.reconnect()),
+            ("detours", |e| e.detours(|| true)),
+            ("rejoin", |e| e.rejoin()),
+            ("new starts", |e| e.new_starts(&[0, -4, 4])),
+            ("new ends", |e| e.new_ends(&[0, -4, 4])),
+            ("moved ends", |e| e.move_ends()),
+        ];
+        for (name, scan) in scans {
+            let best = Best::new(500, f32::MAX);
+            let mut evaluator =
+                Evaluator::new(&library, &target, (&all, true), &route, &tables, best);
+            scan(&mut evaluator);
+            let mut n = 0;
+            for candidate in evaluator.best.candidates() {
+                let path = candidate.mutation.apply(&route.path, &library.graph().forest);
+                assert!(path.is_valid(library.graph()), "{name}: {:?}", candidate.mutation);
+                let laid_out = Route::new(&library, &target, path).expect("a valid path");
+                let error = (laid_out.score - candidate.score).abs();
+                assert!(
+                    error <= 1e-3 * laid_out.score + 2e-3,
+                    "{name}: {:?} scores {} and was said to score {}",
+                    candidate.mutation,
+                    laid_out.score,
+                    candidate.score
+                );
+                n += 1;
+            }
+            assert!(n > 0 || name == "rejoin", "{name} offers something");
+        }
+    }
+}
+
+/// The best reconnection and detour over all cuts, found by laying out every path.
+#[test]
+fn the_best_reconnection_and_detour_are_those_of_a_loop_over_all() {
+    let library = library(true, 5);
+    let target = Target::new(&wishes(0, LengthMode::Preferred));
+    let forest = &library.graph().forest;
+    let all = vec![true; 6];
+    for seed in 0..3 {
+        let route = some_route(&library, &target, seed);
+        let tables = Tables::new(&library, &target, &route);
+        let n = route.spans.len();
+        let mut least = [f32::INFINITY; 2];
+        let mut consider = |kind: usize, mutation: Mutation| {
+            let path = mutation.apply(&route.path, forest);
+            if let Some(new) = Route::new(&library, &target, path) {
+                least[kind] = least[kind].min(new.score);
+            }
+        };
+        for keep in 0..n {
+            for resume in 0..n {
+                let (from, to) = (route.spans[keep].clip, route.spans[resume].clip);
+                for cut in library.pair(from, to).map_or(&[][..], |pair| pair.leaves) {
+                    let there = resume == keep + 1 && route.path.cuts[keep] == cut.id;
+                    if !there {
+                        consider(0, Mutation::Reconnect { keep, resume, cut: cut.id });
+                    }
+                }
+                for &(middle, out) in library.out(from) {
+                    for back in library.pair(middle, to).map_or(&[][..], |pair| pair.chosen) {
+                        let (out, back) = (out.id, back.id);
+                        consider(1, Mutation::Detour { keep, resume, out, back });
+                    }
+                }
+            }
+        }
+        let scans: [fn(&mut Evaluator<'_>); 2] = [|e| e.reconnect(), |e| e.detours(|| true)];
+        for (kind, scan) in scans.into_iter().enumerate() {
+            let best = Best::new(1, f32::MAX);
+            let mut evaluator =
+                Evaluator::new(&library, &target, (&all, true), &route, &tables, best);
+            scan(&mut evaluator);
+            let found = evaluator.best.least().unwrap_or(f32::INFINITY);
+            assert!(
+                (found - least[kind]).abs() <= 1e-3 * least[kind] + 2e-3,
+                "kind {kind}: found {found}, the loop {}",
+                least[kind]
+            );
+        }
+    }
+}
+
+#[test]
+fn searching_is_the_same_on_any_number_of_threads() {
+    let library = library(true, 7);
+    let problem = Problem {
+        wishes: wishes(0, LengthMode::Preferred),
+        allowed_clips: vec![true; 6],
+        bridges: true,
+    };
+    let run = |n_threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().expect("a pool");
+        pool.install(|| {
+            let mut search =
+                Search::new(Arc::clone(&library), problem.clone(), 3).expect("a problem");
+            for _ in 0..25 {
+                assert!(search.step(&CancelToken::new()), "not cancelled");
+            }
+            (search.progress(), search.alternatives())
+        })
+    };
+    let alone = run(1);
+    assert!(alone.0.n_alternatives > 0, "{:?}", alone.0);
+    assert_eq!(run(2), alone);
+    assert_eq!(run(8), alone);
+}
+
+#[test]
+fn a_cancelled_round_changes_nothing_and_the_search_goes_on() {
+    let library = library(false, 8);
+    let problem = Problem {
+        wishes: wishes(0, LengthMode::Exact),
+        allowed_clips: vec![true; 6],
+        bridges: true,
+    };
+    let mut search = Search::new(library, problem, 3).expect("a problem");
+    let go = CancelToken::new();
+    for _ in 0..10 {
+        search.step(&go);
+    }
+    let before = (search.progress(), search.alternatives());
+    let stop = CancelToken::new();
+    stop.cancel();
+    assert!(!search.step(&stop), "a cancelled round says so");
+    assert_eq!((search.progress(), search.alternatives()), before);
+    assert!(search.step(&go), "and the next one goes on");
+    assert_eq!(search.progress().iteration, 11);
+    for found in search.alternatives() {
+        let judged = search.judge(&found.path).expect("long enough");
+        assert_eq!(judged.n_frames, 150, "an exact length is met");
+    }
+}
+
+#[test]
+fn a_palette_is_kept_to() {
+    let library = library(false, 9);
+    let allowed_clips = vec![true, false, true, true, false, true];
+    let problem = Problem {
+        wishes: wishes(0, LengthMode::Preferred),
+        allowed_clips: allowed_clips.clone(),
+        bridges: true,
+    };
+    let mut search = Search::new(Arc::clone(&library), problem, 3).expect("a problem");
+    for _ in 0..20 {
+        search.step(&CancelToken::new());
+    }
+    let found = search.alternatives();
+    assert!(!found.is_empty(), "something is found");
+    for found in found {
+        for piece in found.path.pieces(library.graph()) {
+            assert!(allowed_clips[piece.clip.idx()], "{piece:?} is not in the palette");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(10))]
+
+    /// The path rule: whatever the search does, pieces follow each other and show something.
+    #[test]
+    fn paths_of_any_search_are_valid(seed in 0u64..1000, first in 0u32..20, free: bool) {
+        let library = library(seed % 2 == 0, 11);
+        let mode = if free { LengthMode::Free } else { LengthMode::Preferred };
+        let problem = Problem { wishes: wishes(first, mode), allowed_clips: vec![true; 6], bridges: true };
+        let mut search = Search::new(Arc::clone(&library), problem, seed).expect("a problem");
+        let mut before = f32::INFINITY;
+        for _ in 0..6 {
+            search.step(&CancelToken::new());
+            let best = search.progress().best;
+            prop_assert!(best <= before, "the best never gets worse");
+            before = best;
+        }
+        for found in search.alternatives() {
+            prop_assert!(found.path.is_valid(library.graph()), "{:?}", found.path);
+            let pieces = found.path.pieces(library.graph());
+            let n_frames: usize = pieces.iter().map(crate::path::Piece::n_frames).sum();
+            let judged = search.judge(&found.path).expect("long enough");
+            prop_assert_eq!(n_frames, judged.n_frames as usize);
+            prop_assert!((judged.terms.total() - found.score).abs() <= 2e-3 * found.score + 2e-3);
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! The search: randomized, anytime, resumable (AF02 section 5; `docs/search.md`).
+//!
+//! A search keeps a number of **lines**. A line starts from a seed and in every round moves to
+//! the best mutation of its path; when no mutation is better it has reached a **local minimum**,
+//! which is recorded as an alternative, and the line starts anew. Lines do not know of each
+//! other within a round and each draws from its own random stream, so the outcome depends on the
+//! seed and the number of rounds alone, not on threads.
+
+mod alternatives;
+mod evaluate;
+mod landing;
+mod library;
+mod line;
+mod mutation;
+mod problem;
+mod rng;
+mod route;
+mod seeds;
+mod tables;
+
+#[cfg(test)]
+mod brute;
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+pub use alternatives::DISTINCT_M;
+pub use evaluate::ScoreCounts;
+pub use library::SearchLibrary;
+pub use problem::{Problem, ProblemError};
+
+use crate::cancel::CancelToken;
+use crate::path::Path;
+use crate::score::{Judgement, judge};
+use alternatives::Alternatives;
+use line::{Line, Pace};
+use problem::Target;
+use route::Route;
+
+/// Lines that run side by side. Fixed, since it takes part in the outcome.
+const N_LINES: u64 = 16;
+
+/// Alternatives that are kept while searching; callers show fewer.
+const MAX_ALTERNATIVES: usize = 24;
+
+/// A motion that the search has found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// How it is cut together.
+    pub path: Path,
+    /// What it scores; lower is better.
+    pub score: f32,
+    /// The round that found it, counted from 1.
+    pub iteration: u64,
+}
+
+/// What a round has brought.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Rounds done.
+    pub iteration: u64,
+    /// The best score so far, of local minima and lines under way; infinite before the first.
+    pub best: f32,
+    /// Distinct local minima known.
+    pub n_alternatives: usize,
+    /// The round in which a path first met every wish within tolerance.
+    pub first_acceptable: Option<u64>,
+    /// Candidates looked at so far.
+    pub counts: ScoreCounts,
+    /// Local minima reached so far, the same ones counted again.
+    pub n_minima: u64,
+}
+
+/// A search under way. Stop calling [`Search::step`] at any time; go on later.
+#[derive(Clone, Debug)]
+pub struct Search {
+    library: Arc<SearchLibrary>,
+    problem: Problem,
+    target: Target,
+    seed: u64,
+    lines: Vec<Line>,
+    alternatives: Alternatives,
+    best: Option<(Route, u64)>,
+    progress: Progress,
+}
+
+impl Search {
+    /// A search for `problem` on `library`. Nothing is computed yet.
+    ///
+    /// Equal seeds make equal searches.
+    pub fn new(
+        library: Arc<SearchLibrary>,
+        problem: Problem,
+        seed: u64,
+    ) -> Result<Self, ProblemError> {
+        problem.check()?;
+        let target = Target::new(&problem.wishes);
+        let lines = (0..N_LINES).map(Line::new).collect();
+        let progress = Progress { best: f32::INFINITY, ..Progress::default() };
+        let alternatives = Alternatives::new(MAX_ALTERNATIVES);
+        Ok(Self { library, problem, target, seed, lines, alternatives, best: None, progress })
+    }
+
+    /// One round: every line takes a step. Returns `false`, with nothing changed, if cancelled
+    /// before the round was complete.
+    pub fn step(&mut self, cancel: &CancelToken) -> bool {
+        let round = self.progress.iteration + 1;
+        let elite: Vec<Route> =
+            self.alternatives.kept().iter().map(|kept| kept.route.clone()).collect();
+        let pace = Pace { seed: self.seed, round, elite: &elite };
+        let scope = (self.problem.allowed_clips.as_slice(), self.problem.bridges);
+        let (library, target) = (&self.library, &self.target);
+        let stepped: Vec<Option<line::Stepped>> = self
+            .lines
+            .par_iter()
+            .with_max_len(1)
+            .map(|line| (!cancel.is_cancelled()).then(|| line.step(library, target, scope, &pace)))
+            .collect();
+        if stepped.iter().any(Option::is_none) {
+            return false;
+        }
+        self.progress.iteration = round;
+        for (line, stepped) in self.lines.iter_mut().zip(stepped.into_iter().flatten()) {
+            self.progress.counts.add(stepped.counts);
+            if let Some(minimum) = &stepped.minimum {
+                self.progress.n_minima += 1;
+                self.alternatives.offer(&self.library, &self.target, minimum, round);
+            }
+            *line = stepped.line;
+            if let Some(route) = line.route() {
+                let better = self.best.as_ref().is_none_or(|(best, _)| route.score < best.score);
+                if better {
+                    self.best = Some((route.clone(), round));
+                }
+            }
+        }
+        self.progress.best = self.best.as_ref().map_or(f32::INFINITY, |(best, _)| best.score);
+        self.progress.n_alternatives = self.alternatives.kept().len();
+        if self.progress.first_acceptable.is_none() && self.any_line_is_acceptable() {
+            self.progress.first_acceptable = Some(round);
+        }
+        true
+    }
+
+    /// Where the search stands.
+    pub fn progress(&self) -> Progress {
+        self.progress
+    }
+
+    /// The best motion so far, local minimum or not.
+    pub fn best(&self) -> Option<Solution> {
+        let (route, iteration) = self.best.as_ref()?;
+        Some(Solution { path: route.path.clone(), score: route.score, iteration: *iteration })
+    }
+
+    /// Distinct local minima, best first. While there is none, the best motion so far.
+    pub fn alternatives(&self) -> Vec<Solution> {
+        let kept = self.alternatives.kept();
+        let solution = |kept: &alternatives::Kept| Solution {
+            path: kept.route.path.clone(),
+            score: kept.route.score,
+            iteration: kept.found_in,
+        };
+        // A line under way may have overtaken every minimum: it is shown too, in its place.
+        let mut found: Vec<Solution> = kept.iter().map(solution).collect();
+        if let Some((route, round)) = &self.best
+            && found.first().is_none_or(|first| route.score < first.score)
+        {
+            let mut with_best = self.alternatives.clone();
+            with_best.offer(&self.library, &self.target, route, *round);
+            found = with_best.kept().iter().map(solution).collect();
+        }
+        found
+    }
+
+    /// Judges a path by the problem's wishes, from scratch.
+    pub fn judge(&self, path: &Path) -> Option<Judgement> {
+        judge(self.library.graph(), self.library.clips(), &self.problem.wishes, path)
+    }
+
+    /// The library that is searched.
+    pub fn library(&self) -> &Arc<SearchLibrary> {
+        &self.library
+    }
+
+    /// What is asked.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    fn any_line_is_acceptable(&self) -> bool {
+        self.lines.iter().filter_map(Line::route).any(|route| {
+            let judged = self.judge(&route.path);
+            judged.is_some_and(|judged| judged.is_acceptable(&self.problem.wishes))
+        })
+    }
+}

@@ -9,16 +9,11 @@
 //!
 //! This crate has no clock, no IO, no UI and no serde: results depend on arguments alone.
 
-
-mod testing;
-
 pub mod assemble;
 pub mod cancel;
 pub mod clip;
 pub mod constraint;
 pub mod contacts;
-#[cfg(test)]
-pub(crate) mod fixture;
 pub mod floor;
 pub mod graph;
 pub mod ground;
@@ -34,3 +29,8 @@ pub mod search;
 pub mod similarity;
 pub mod skeleton;
 pub mod units;
+
+#[cfg(test)]
+pub(crate) mod fixture;
+#[cfg(test)]
+mod testing;

@@ -16,10 +16,10 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// Frames shown; at least 1.
+    /// How many frames are shown; at least 1 in a valid piece.
     #[inline]
-    pub fn n_frames(&self) -> usize {
-        self.to.idx() + 1 - self.from.idx()
+    pub fn n_frames(self) -> usize {
+        (self.to.idx() + 1).saturating_sub(self.from.idx())
     }
 }
 

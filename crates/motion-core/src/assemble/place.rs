@@ -10,27 +10,10 @@ use crate::clip::{Clip, ClipSet};
 use crate::ground::Contacts;
 use crate::ids::ClipId;
 use crate::motion::Motion;
+pub use crate::path::Piece;
 use crate::planar::PlanarTransform;
 use crate::rotation;
 use crate::units::FrameIdx;
-
-/// A stretch of a clip; both ends are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Piece {
-    /// The clip.
-    pub clip: ClipId,
-    /// First frame shown.
-    pub from: FrameIdx,
-    /// Last frame shown.
-    pub to: FrameIdx,
-}
-
-impl Piece {
-    /// How many frames are shown; at least 1 in a valid piece.
-    pub fn n_frames(self) -> usize {
-        (self.to.idx() + 1).saturating_sub(self.from.idx())
-    }
-}
 
 /// Why pieces make no motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -18,6 +18,9 @@ use crate::constraint::{BodyConstraint, LengthMode, LengthWish};
 use crate::fixture;
 use crate::score::{Weights, Wishes, judge};
 
+/// One of the scans of an evaluator.
+type Scan = fn(&mut Evaluator<'_>);
+
 fn library(climbs: bool, seed: u64) -> Arc<SearchLibrary> {
     let clips = fixture::clips(6, 90, climbs, seed);
     let graph = fixture::graph(&clips);
@@ -82,7 +85,7 @@ fn candidates_score_what_their_paths_score() {
         let route = some_route(&library, &target, seed);
         let tables = Tables::new(&library, &target, &route);
         let all = vec![true; 6];
-        let scans: [(&str, fn(&mut Evaluator<'_>)); 6] = [
+        let scans: [(&str, Scan); 6] = [
             ("reconnect", |e| e.reconnect()),
             ("detours", |e| e.detours(|| true)),
             ("rejoin", |e| e.rejoin()),
@@ -150,7 +153,7 @@ fn the_best_reconnection_and_detour_are_those_of_a_loop_over_all() {
                 }
             }
         }
-        let scans: [fn(&mut Evaluator<'_>); 2] = [|e| e.reconnect(), |e| e.detours(|| true)];
+        let scans: [Scan; 2] = [|e| e.reconnect(), |e| e.detours(|| true)];
         for (kind, scan) in scans.into_iter().enumerate() {
             let best = Best::new(1, f32::MAX);
             let mut evaluator =
@@ -259,7 +262,7 @@ proptest! {
         for found in search.alternatives() {
             prop_assert!(found.path.is_valid(library.graph()), "{:?}", found.path);
             let pieces = found.path.pieces(library.graph());
-            let n_frames: usize = pieces.iter().map(crate::path::Piece::n_frames).sum();
+            let n_frames: usize = pieces.iter().map(|piece| piece.n_frames()).sum();
             let judged = search.judge(&found.path).expect("long enough");
             prop_assert_eq!(n_frames, judged.n_frames as usize);
             prop_assert!((judged.terms.total() - found.score).abs() <= 2e-3 * found.score + 2e-3);

@@ -502,7 +502,7 @@ impl<'a> Evaluator<'a> {
                 }
                 if cut.to >= tail.span.to
                     || !self.allowed[clip.idx()]
-                    || !(self.bridges || !library.graph().forest.is_bridge(cut.id))
+                    || (!self.bridges && library.graph().forest.is_bridge(cut.id))
                 {
                     continue;
                 }
@@ -544,7 +544,7 @@ impl<'a> Evaluator<'a> {
                     continue;
                 }
                 if !self.allowed[clip.idx()]
-                    || !(self.bridges || !library.graph().forest.is_bridge(cut.id))
+                    || (!self.bridges && library.graph().forest.is_bridge(cut.id))
                 {
                     continue;
                 }

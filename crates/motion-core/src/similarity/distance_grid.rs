@@ -79,6 +79,14 @@ impl<'a> Blocks<'a> {
     }
 }
 
+/// What one block row has found.
+struct BlockNearest {
+    /// For each of its rows, the nearest row of another clip; `u32::MAX` without any.
+    rows: Vec<u32>,
+    /// Clips and the least cost between them, of this block's rows.
+    pairs: Vec<(u32, u32, f32)>,
+}
+
 /// The nearest row in another clip for each row, and the nearest pair for each two clips.
 ///
 /// Costs of [`Nearest::other_clip`] are recomputed in f64 for the pair that the f32 screen found
@@ -88,7 +96,7 @@ pub fn nearest(features: &FeatureSet, cancel: &CancelToken) -> Result<Nearest, C
     let n_rows = features.n_rows();
     let n_clips = features.frame_starts.len() - 1;
     // One task per block row: it sees every column, so no merging of rows between tasks.
-    let per_block: Vec<(Vec<u32>, Vec<(u32, u32, f32)>)> = (0..blocks.n_blocks())
+    let per_block: Vec<BlockNearest> = (0..blocks.n_blocks())
         .into_par_iter()
         .map(|a| {
             let rows = blocks.range(a);
@@ -143,7 +151,7 @@ pub fn nearest(features: &FeatureSet, cancel: &CancelToken) -> Result<Nearest, C
                     pairs.push((clip, (slot % n_clips) as u32, cost.max(0.0)));
                 }
             }
-            (best_row, pairs)
+            BlockNearest { rows: best_row, pairs }
         })
         .collect();
     if cancel.is_cancelled() {
@@ -151,7 +159,7 @@ pub fn nearest(features: &FeatureSet, cancel: &CancelToken) -> Result<Nearest, C
     }
     let mut clip_pair = vec![f32::INFINITY; n_clips * n_clips];
     let mut other_clip = Vec::with_capacity(n_rows);
-    for (rows, pairs) in per_block {
+    for BlockNearest { rows, pairs } in per_block {
         for row in rows {
             let this = other_clip.len();
             other_clip.push(if row == u32::MAX {

@@ -2,7 +2,7 @@
 //!
 //! | format | in | out |
 //! | --- | --- | --- |
-//! | `.bvh` | [`bvh::read`] | [`bvh::write`](bvh::write()) |
+//! | `.bvh` | [`bvh::read`] | [`bvh::save`] |
 //! | `.gaitway` | [`project_file::load`] | [`project_file::save`] |
 //! | `.gwlib` | [`library_file::LibraryFile::load`] | [`library_file::LibraryFile::save`] |
 //! | `report.json`, `timing.json` | | [`report_file::save`] |

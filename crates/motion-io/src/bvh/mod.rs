@@ -16,8 +16,15 @@ mod read;
 mod to_motion;
 mod write;
 
+use std::path::Path;
+
 use glam::DVec3;
+use motion_core::motion::Motion;
+use motion_core::skeleton::Skeleton;
 use motion_core::units::Fps;
+
+use crate::atomic_write::atomic_write;
+use crate::diagnostic::FileError;
 
 pub use read::read;
 pub use write::{BvhWriteOptions, EulerOrder, write};
@@ -79,6 +86,16 @@ impl Bvh {
     pub fn n_frames(&self) -> usize {
         self.values.len() / self.n_channels.max(1)
     }
+}
+
+/// Writes a motion to the BVH file at `path`, whole or not at all; see [`write`](write()).
+pub fn save(
+    path: &Path,
+    skeleton: &Skeleton,
+    motion: &Motion,
+    options: &BvhWriteOptions,
+) -> Result<(), FileError> {
+    atomic_write(path, write(skeleton, motion, options).as_bytes())
 }
 
 #[cfg(test)]

@@ -1,16 +1,13 @@
 //! BVH in, out, and every way in which a file can be wrong.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
-use motion_core::motion::Motion;
 use motion_core::rotation;
-use motion_core::skeleton::Skeleton;
-use motion_core::units::Fps;
 use proptest::prelude::*;
 
 use super::*;
-use crate::diagnostic::{FileError, Warnings};
+use crate::diagnostic::Warnings;
 
 /// Two joints, two frames; the second frame is on line 20.
 const GOOD: &str = "HIERARCHY

@@ -148,9 +148,10 @@ impl Facts {
             _ => {}
         }
         if self.n_tpose_frames > 0 {
-            let text =
-                format!("a T-pose before the motion was left out ({} frames)", self.n_tpose_frames);
-            report.add(path, text);
+            let (n, plural) =
+                (self.n_tpose_frames, if self.n_tpose_frames == 1 { "" } else { "s" });
+            report
+                .add(path, format!("a T-pose before the motion was left out ({n} frame{plural})"));
         }
         if self.fps != fps {
             let (from, to) = (self.fps.get(), fps.get());

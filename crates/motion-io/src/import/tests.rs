@@ -194,7 +194,7 @@ fn a_t_pose_and_z_up_are_mended_and_said() {
             "a.bvh: lengths are in centimetres, by the body's size",
             "a.bvh: Z was up, turned to Y up",
             "a.bvh: the rest pose was turned to face +Z",
-            "a.bvh: a T-pose before the motion was left out (1 frames)",
+            "a.bvh: a T-pose before the motion was left out (1 frame)",
         ]
     );
     let clip = &imported.clips[0].motion;

@@ -5,6 +5,10 @@ use glam::{Quat, Vec2, Vec3};
 use crate::body::{ANKLE_HEIGHT_M, HEEL_FROM_ANKLE_M, TOE_FROM_ANKLE_M};
 use crate::signal::State;
 
+/// Length of the toes, and how far their tips stay above the floor.
+const TOES_M: f32 = 0.072;
+const TIP_CLEARANCE_M: f32 = 0.008;
+
 /// Where a foot is and how it is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FootPose {
@@ -21,6 +25,15 @@ pub(crate) struct FootPose {
 impl FootPose {
     pub(crate) fn rotation(self) -> Quat {
         Quat::from_rotation_y(self.yaw_rad) * Quat::from_rotation_x(self.pitch_rad)
+    }
+
+    /// The same foot with its toes bent up as far as their tips need to stay off the floor.
+    pub(crate) fn with_toes_off_the_floor(self) -> Self {
+        let toe_m = self.ankle_m + self.rotation() * TOE_FROM_ANKLE_M;
+        // The steepest that the toes may point down from where their joint is.
+        let room = ((toe_m.y - TIP_CLEARANCE_M) / TOES_M).clamp(0.0, 1.0);
+        let steepest_rad = room.asin();
+        Self { toe_bend_rad: self.toe_bend_rad.min(steepest_rad - self.pitch_rad), ..self }
     }
 }
 

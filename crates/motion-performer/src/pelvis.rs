@@ -5,7 +5,7 @@ use glam::{Quat, Vec2, Vec3};
 use crate::foot_plan::support_m;
 use crate::foot_pose::FootPose;
 use crate::signal::gaussian;
-use crate::travel::{GRID_HZ, Travel};
+use crate::travel::{GRID_HZ, Moment, Travel};
 
 const GRAVITY_M_S2: f32 = 9.81;
 /// The weight goes over the foot that carries: this share of the way, smoothed over this time.
@@ -15,8 +15,10 @@ const SWAY_SIGMA_S: f32 = 0.20;
 const LEAN_SIGMA_S: f32 = 0.12;
 /// Height of what leans over the feet: the hips.
 const LEAN_HEIGHT_M: f32 = 0.93;
-/// In a turn the hips take this share of the lean that balances it.
-const TURN_LEAN: f32 = 0.8;
+/// In a turn the hips take this share of the lean that balances it, and never more than the
+/// second figure: beyond, feet that stay on the path would pull the hips to the floor.
+const TURN_LEAN: f32 = 0.85;
+const MOST_LEAN_RAD: f32 = 0.5;
 /// Speeding up tilts the trunk by this share of the balancing angle.
 const SPEED_LEAN: f32 = 0.45;
 
@@ -36,11 +38,13 @@ pub(crate) fn leads(travel: &Travel, feet: &[Vec<FootPose>; 2]) -> Vec<Lead> {
     let hz = GRID_HZ as f32;
     let smooth = |raw: Vec<f32>, sigma_s: f32| gaussian(&raw, sigma_s * hz);
 
-    let aside = |(m, s): (&crate::travel::Moment, &Vec2)| (*s - m.ground_m).dot(m.left());
+    let aside = |(m, s): (&Moment, &Vec2)| (*s - m.ground_m).dot(m.left());
     let sway = smooth(moments.iter().zip(&support_m(feet)).map(aside).collect(), SWAY_SIGMA_S);
 
-    let to_center =
-        |m: &crate::travel::Moment| TURN_LEAN * (m.speed_m_s * m.turn_rad_s / GRAVITY_M_S2).atan();
+    let to_center = |m: &Moment| {
+        let balanced_rad = (m.speed_m_s * m.turn_rad_s / GRAVITY_M_S2).atan();
+        MOST_LEAN_RAD * (TURN_LEAN * balanced_rad / MOST_LEAN_RAD).tanh()
+    };
     let roll = smooth(moments.iter().map(to_center).collect(), LEAN_SIGMA_S);
 
     let forward = travel.drift_rad.cos();

@@ -72,7 +72,7 @@ pub(crate) fn gait_take(spec: &Performance) -> Take {
     let plan = Side::BOTH.map(|side| stances(&travel, side));
     let feet = Side::BOTH.map(|side| {
         let other = &plan[1 - side.idx()];
-        let track = FootTrack::new(plan[side.idx()].clone(), forward, other);
+        let track = FootTrack::new(side, plan[side.idx()].clone(), forward, other);
         (0..travel.moments.len())
             .map(|i| track.pose(i as f32 / GRID_HZ as f32))
             .collect::<Vec<FootPose>>()

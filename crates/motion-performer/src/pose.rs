@@ -13,6 +13,8 @@ use motion_core::contacts::Side;
 /// The straightest a leg gets, as a share of its length: 13.6° of knee flexion. Beyond, the knee
 /// moves with the square root of what is left and pops.
 const STRAIGHTEST: f32 = 0.993;
+/// How much knees point outwards, against 2 for ahead: they must not meet in turns.
+const KNEES_OUT: f32 = 0.2;
 
 /// What the body does at one instant.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +89,8 @@ impl Pose {
 
     /// Appends the local rotations of all joints, in the skeleton's order.
     ///
-    /// Knees bend in the plane of the leg that looks where hips and foot look on average. A foot
+    /// Knees bend in the plane of the leg that looks where hips and foot look on average, a
+    /// little outwards. A foot
     /// out of reach is approached as far as the leg goes; [`lower_to_reach`] has seen to it that
     /// this does not happen to a planted one.
     pub(crate) fn write_rotations(&self, rotations: &mut Vec<Quat>) {
@@ -121,8 +124,10 @@ impl Pose {
     fn leg_rotations(&self, side: Side) -> [Quat; 4] {
         let foot = self.feet[side.idx()];
         let toes = Quat::from_rotation_x(foot.toe_bend_rad);
-        let pole = (self.hips * Vec3::Z).normalize_or_zero()
-            + Quat::from_rotation_y(foot.yaw_rad) * Vec3::Z;
+        let outwards = self.hips * Vec3::X * sign(side);
+        let pole = self.hips * Vec3::Z
+            + Quat::from_rotation_y(foot.yaw_rad) * Vec3::Z
+            + outwards * KNEES_OUT;
         let Some(leg) = TwoBone::new(THIGH_M, SHIN_M) else {
             return [Quat::IDENTITY, Quat::IDENTITY, Quat::IDENTITY, toes];
         };

@@ -6,14 +6,15 @@
 //! left alone: matched too, the polynomial would wander far in a long swing.)
 //! Two bumps keep it clear: up from the floor and aside from the other leg.
 
-use glam::{Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use motion_core::planar::wrap_angle_rad;
 
-use crate::body::{HEEL_FROM_ANKLE_M, TOE_FROM_ANKLE_M, TOE_HEIGHT_M};
+use crate::body::{HEEL_FROM_ANKLE_M, TOE_FROM_ANKLE_M, TOE_HEIGHT_M, sign};
 use crate::foot_plan::Stance;
 use crate::foot_pose::{FootPose, Print};
 use crate::gait_curves::{Gait, Harmonics};
 use crate::signal::{Quintic, State, smoothstep};
+use motion_core::contacts::Side;
 
 /// Dip of the measured foot when flat.
 const FLAT_DIP_RAD: f32 = 0.37;
@@ -22,8 +23,10 @@ const STAND_LIFT: f32 = 0.30;
 const STAND_PITCH: f32 = 0.35;
 /// The least distance between sole and floor in mid-swing.
 const CLEARANCE_M: f32 = 0.015;
-/// The least distance between the ankles as one passes the other.
-const PASSING_M: f32 = 0.115;
+/// The least distance between the ankles as one passes the other, and how far ahead and behind
+/// of the standing foot that counts as passing.
+const PASSING_M: f32 = 0.10;
+const PASSING_SPAN_M: f32 = 0.30;
 /// Shortest time that a swing may take; shorter ones come of specs that no body can follow.
 const MIN_SWING_S: f32 = 0.05;
 
@@ -49,7 +52,7 @@ struct Swing {
 }
 
 impl Swing {
-    fn new(from: &Stance, to: &Stance, forward: f32, other: &[Stance]) -> Self {
+    fn new(side: Side, from: &Stance, to: &Stance, forward: f32, other: &[Stance]) -> Self {
         let gait = Gait::at_speed(0.5 * (from.gait_speed_m_s + to.gait_speed_m_s));
         let events = gait.events();
         let stride = gait.stride();
@@ -96,7 +99,7 @@ impl Swing {
             missing(pitch_on, state(&|t| swing.pitch_shape(t), 1.0, duration_s)),
             duration_s,
         );
-        swing.keep_clear(other);
+        swing.keep_clear(side, other);
         swing
     }
 
@@ -124,20 +127,22 @@ impl Swing {
         let t = ((secs - self.from_s) / self.duration_s).clamp(0.0, 1.0);
         let at_s = t * self.duration_s;
         let u = t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
+        let bend_rad = self.toe_bend_rad[0] * (1.0 - smoothstep(t / 0.45))
+            + self.toe_bend_rad[1] * smoothstep((t - 0.6) / 0.4);
         FootPose {
             ankle_m: self.shape(t) + self.mend.at(at_s) + self.bump * bump(t),
             yaw_rad: self.yaw_rad[0] + (self.yaw_rad[1] - self.yaw_rad[0]) * u,
             pitch_rad: self.pitch_shape(t) + self.mend_pitch.at(at_s),
-            toe_bend_rad: self.toe_bend_rad[0] * (1.0 - smoothstep(t / 0.45))
-                + self.toe_bend_rad[1] * smoothstep((t - 0.6) / 0.4),
+            toe_bend_rad: bend_rad,
             planted: false,
         }
+        .with_toes_off_the_floor()
     }
 
     /// Adds what keeps the sole off the floor and the ankle off the other leg.
-    fn keep_clear(&mut self, other: &[Stance]) {
+    fn keep_clear(&mut self, side: Side, other: &[Stance]) {
         const SAMPLES: usize = 24;
-        let (mut lift_m, mut aside, mut nearest_m) = (0.0f32, Vec3::ZERO, PASSING_M);
+        let (mut lift_m, mut push_m, mut aside) = (0.0f32, 0.0f32, Vec3::ZERO);
         for i in 2..=SAMPLES - 2 {
             let t = i as f32 / SAMPLES as f32;
             let secs = self.from_s + t * self.duration_s;
@@ -148,32 +153,35 @@ impl Swing {
             let wished_m = CLEARANCE_M * bump(t);
             lift_m = lift_m.max((wished_m - toe_m.min(heel_m)) / bump(t));
 
-            let Some(standing) = other.iter().find(|s| s.strike_s <= secs && secs <= s.off_s)
-            else {
-                continue;
-            };
-            let (dx, gap) = away_from(standing.print, ankle);
-            if gap < nearest_m {
-                nearest_m = gap;
-                aside = dx * ((PASSING_M - gap) / bump(t).max(0.3));
+            let standing = other.iter().find(|s| s.strike_s <= secs && secs <= s.off_s);
+            if let Some(standing) = standing {
+                let (outwards, lacking_m) = lacking_gap(side, standing.print, ankle);
+                let push = lacking_m / bump(t).max(0.3);
+                if push > push_m {
+                    (push_m, aside) = (push, outwards);
+                }
             }
         }
-        self.bump = aside + Vec3::Y * lift_m;
+        self.bump = aside * push_m.min(PASSING_M) + Vec3::Y * lift_m;
     }
+}
+
+/// The direction away from a standing foot to the side of the swinging one, and how much is
+/// lacking of a gap as it passes.
+fn lacking_gap(side: Side, standing: Print, ankle: Vec3) -> (Vec3, f32) {
+    let turn = Quat::from_rotation_y(standing.yaw_rad);
+    let outwards = turn * (Vec3::X * sign(side));
+    let from_standing = ankle - Vec3::new(standing.ground_m.x, 0.0, standing.ground_m.y);
+    // Far ahead or behind there is nothing to pass.
+    let along = from_standing.dot(turn * Vec3::Z) / PASSING_SPAN_M;
+    let wished_m = PASSING_M * (1.0 - along * along).max(0.0);
+    (outwards, wished_m - from_standing.dot(outwards))
 }
 
 /// How far a foot of the measured gait has come at a phase, metres. Stepping in place was not
 /// measured: it borrows the walk's share of the way.
 fn progress(gait: Gait, phase: f32, at: &Harmonics) -> f32 {
     gait.moving(|g| phase * g.speed_m_s * g.cycle_s + g.ankle_ahead.at(at))
-}
-
-/// The direction on the ground from a standing foot's ankle to a point, and how far it is.
-fn away_from(standing: Print, point: Vec3) -> (Vec3, f32) {
-    let away = Vec2::new(point.x, point.z) - standing.ground_m;
-    let gap = away.length();
-    let dir = away.normalize_or_zero();
-    (Vec3::new(dir.x, 0.0, dir.y), gap)
 }
 
 /// `64 t³ (1 − t)³`: 1 in the middle, 0 with two derivatives at the ends.
@@ -207,9 +215,11 @@ pub(crate) struct FootTrack {
 impl FootTrack {
     /// A foot that goes through `stances` (at least one); `forward` is the cosine of the drift,
     /// and `other` are the stances of the other foot, to pass by.
-    pub(crate) fn new(stances: Vec<Stance>, forward: f32, other: &[Stance]) -> Self {
-        let swings =
-            stances.windows(2).map(|pair| Swing::new(&pair[0], &pair[1], forward, other)).collect();
+    pub(crate) fn new(side: Side, stances: Vec<Stance>, forward: f32, other: &[Stance]) -> Self {
+        let swings = stances
+            .windows(2)
+            .map(|pair| Swing::new(side, &pair[0], &pair[1], forward, other))
+            .collect();
         Self { stances, swings }
     }
 

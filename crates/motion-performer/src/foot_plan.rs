@@ -22,7 +22,7 @@ const BACK_STRIKE_PITCH_RAD: f32 = 0.30;
 const BACK_OFF_PITCH_RAD: f32 = 0.0;
 /// How the pitch of a stepping, not striding, foot compares.
 const STAND_STRIKE_PITCH_RAD: f32 = -0.10;
-const STAND_OFF_PITCH_RAD: f32 = 0.35;
+const STAND_OFF_PITCH_RAD: f32 = 0.28;
 
 /// One foot's stay on the floor. Times are seconds on the travel's grid; a stance that began
 /// before or ends after everything planned has infinite ones.

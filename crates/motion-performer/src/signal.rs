@@ -109,23 +109,25 @@ where
 }
 
 /// Smooths samples with a Gaussian of `sigma` samples; beyond the ends the end values go on.
-pub(crate) fn gaussian<T>(samples: &[T], sigma: f32) -> Vec<T>
-where
-    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f32, Output = T>,
-{
-    let reach = (3.0 * sigma).ceil() as isize;
-    let weight = |k: isize| (-0.5 * (k as f32 / sigma).powi(2)).exp();
-    let kernel: Vec<f32> = (-reach..=reach).map(weight).collect();
-    let total: f32 = kernel.iter().sum();
-    let last = samples.len() as isize - 1;
-    (0..=last)
-        .map(|i| {
-            let at = |k: isize| samples[(i + k).clamp(0, last) as usize];
-            let mut sum = at(-reach) * (kernel[0] / total);
-            for (k, &w) in (-reach..=reach).zip(&kernel).skip(1) {
-                sum = sum + at(k) * (w / total);
-            }
-            sum
+pub(crate) fn gaussian(samples: &[f32], sigma: f32) -> Vec<f32> {
+    let (Some(&first), Some(&last)) = (samples.first(), samples.last()) else {
+        return Vec::new();
+    };
+    let reach = (3.0 * sigma).ceil().max(1.0) as usize;
+    let weight = |k: usize| (-0.5 * (k as f32 / sigma).powi(2)).exp();
+    let weights: Vec<f32> = (0..=reach).map(weight).collect();
+    let total = weights[0] + 2.0 * weights[1..].iter().sum::<f32>();
+
+    let mut padded = vec![first; reach];
+    padded.extend_from_slice(samples);
+    padded.resize(samples.len() + 2 * reach, last);
+    padded
+        .windows(2 * reach + 1)
+        .map(|window| {
+            let (before, rest) = window.split_at(reach);
+            let around = before.iter().rev().zip(&rest[1..]).zip(&weights[1..]);
+            let sum: f32 = around.map(|((a, b), w)| (a + b) * w).sum();
+            (rest[0] * weights[0] + sum) / total
         })
         .collect()
 }

@@ -20,7 +20,7 @@ use motion_core::contacts::Side;
 const FLAT_DIP_RAD: f32 = 0.37;
 /// A foot that only steps lifts this share of a walking foot's height and pitch.
 const STAND_LIFT: f32 = 0.30;
-const STAND_PITCH: f32 = 0.35;
+const STAND_PITCH: f32 = 0.20;
 /// The least distance between sole and floor in mid-swing.
 const CLEARANCE_M: f32 = 0.015;
 /// The least distance between the ankles as one passes the other, and how far ahead and behind

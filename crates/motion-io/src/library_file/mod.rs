@@ -1,12 +1,14 @@
-//! The library file, `.gwlib`: clips ready for use, checked to the last bit when it is opened.
+//! The library file, `.gwlib`: clips and their graph, ready for use, checked to the last bit when it is opened.
 //!
 //! It holds no times and no paths of the machine, so the same clips give the same bytes.
 
 mod clips;
+mod graph;
 
 use std::path::Path;
 
 use motion_core::clip::ClipSet;
+use motion_core::graph::MotionGraph;
 
 use crate::atomic_write::atomic_write;
 use crate::container::{Container, ContainerWriter};
@@ -25,6 +27,8 @@ pub struct LibraryFile {
     pub clips: ClipSet,
     /// Hash of the file that each clip came from, in the order of the clips.
     pub content_hashes: Vec<ContentHash>,
+    /// The graph that was built from the clips.
+    pub graph: MotionGraph,
 }
 
 impl LibraryFile {
@@ -32,6 +36,7 @@ impl LibraryFile {
     pub fn to_bytes(&self) -> (Vec<u8>, ContentHash) {
         let mut container = ContainerWriter::new();
         clips::add_clips(&mut container, &self.clips, &self.content_hashes);
+        graph::add_graph(&mut container, &self.graph);
         container.finish(FORMAT_VERSION)
     }
 
@@ -39,7 +44,8 @@ impl LibraryFile {
     pub fn from_bytes(bytes: &[u8], path: &Path) -> Result<(Self, ContentHash), FileError> {
         let container = Container::read(bytes, path, FORMAT_VERSION)?;
         let (clips, content_hashes) = clips::read_clips(&container)?;
-        Ok((Self { clips, content_hashes }, container.content_hash()))
+        let graph = graph::read_graph(&container, &clips)?;
+        Ok((Self { clips, content_hashes, graph }, container.content_hash()))
     }
 
     /// Writes the library to `path`, whole or not at all; returns its content hash.

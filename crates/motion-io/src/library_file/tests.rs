@@ -4,6 +4,8 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use glam::{Quat, Vec3};
+use motion_core::cancel::CancelToken;
+use motion_core::graph::{BuildOptions, build};
 use motion_core::motion::Motion;
 use motion_core::rotation;
 use motion_core::skeleton::Skeleton;
@@ -12,6 +14,10 @@ use motion_core::units::Fps;
 use super::*;
 use crate::guess::test_body::body;
 use crate::import::{ImportOptions, Imported, ImportedClip, Report, import_files};
+
+fn graph_of(clips: &ClipSet) -> MotionGraph {
+    build(clips, &BuildOptions::default(), &CancelToken::new(), &|_| ()).unwrap()
+}
 
 fn small() -> LibraryFile {
     let skeleton: Skeleton = body(1.0);
@@ -38,7 +44,8 @@ fn small() -> LibraryFile {
     };
     let content_hashes = imported.clips.iter().map(|clip| clip.content_hash).collect();
     let (clips, _) = imported.into_clip_set().unwrap();
-    LibraryFile { clips, content_hashes }
+    let graph = graph_of(&clips);
+    LibraryFile { clips, content_hashes, graph }
 }
 
 #[test]
@@ -101,10 +108,12 @@ fn the_real_clips_come_back() {
     let imported = import_files(&[folder], &ImportOptions::default(), &go_on).unwrap();
     let content_hashes = imported.clips.iter().map(|clip| clip.content_hash).collect();
     let (clips, _) = imported.into_clip_set().unwrap();
-    let library = LibraryFile { clips, content_hashes };
+    let graph = graph_of(&clips);
+    let n_edges = graph.forest.n_nodes();
+    let library = LibraryFile { clips, content_hashes, graph };
     let (bytes, _) = library.to_bytes();
     let start = Instant::now();
     let (again, _) = LibraryFile::from_bytes(&bytes, Path::new("cmu.gwlib")).unwrap();
-    println!("{} bytes read in {:?}", bytes.len(), start.elapsed());
+    println!("{n_edges} edges, {} bytes read in {:?}", bytes.len(), start.elapsed());
     assert!(again == library, "the clips of the file are those that were saved");
 }

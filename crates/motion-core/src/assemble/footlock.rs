@@ -11,7 +11,8 @@ use glam::Vec3;
 
 use super::leg::{Leg, LegPose};
 use super::place::Placed;
-use crate::contacts::{self, Side, percentile};
+use super::plants::plants;
+use crate::contacts::{Side, percentile};
 use crate::floor::Soles;
 use crate::skeleton::Skeleton;
 
@@ -70,7 +71,8 @@ fn shifts_m(
     let n_frames = poses.len();
     let fps = placed.motion.fps();
     let fade = fps.frames_in_secs(FADE_SECS).max(1);
-    let plants = contacts::runs(n_frames, |frame| placed.contacts[frame].side(side));
+    let path_m: Vec<Vec3> = poses.iter().map(|pose| pose.toe_m).collect();
+    let plants = plants(&placed.contacts, side, &path_m, fps);
     let mut shifts = vec![Vec3::ZERO; n_frames];
     for plant in &plants {
         let place_m = place_of(placed, poses, plant.clone(), sole_m);
@@ -122,13 +124,15 @@ fn limited(shift: Vec3) -> Vec3 {
 }
 
 /// Fills the shifts between two plants: each neighbour's shift fades out from its value and
-/// slope to nothing over `fade` frames, or over the gap where that is shorter.
+/// slope to nothing over `fade` frames, or over the gap where that is shorter. A gap at either
+/// end of the motion has one neighbour and need not come to nothing.
 fn fade_gap(shifts: &mut [Vec3], gap: Range<usize>, fade: usize) {
     if gap.is_empty() {
         return;
     }
     let n_frames = shifts.len();
-    let span = fade.min(gap.len() + 1);
+    let at_an_end = gap.start == 0 || gap.end == n_frames;
+    let span = if at_an_end { fade } else { fade.min(gap.len() + 1) };
     let slope = |at: usize, inner: Option<usize>| match inner {
         // A plant of one frame, or one that touches another, has no slope of its own.
         Some(inner) if inner < n_frames => shifts[at] - shifts[inner],
@@ -245,11 +249,13 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(48))]
 
         #[test]
-        fn planted_feet_stop_sliding(a in 15u32..50, b in 5u32..40) {
+        fn planted_feet_stop_sliding(a in 15u32..50, off in 0u32..5) {
+            // Clip 1 is 6 frames ahead of clip 0 in a cycle of 30: a cut about in phase.
+            let b = (a + 1 + 22 + off) % 30 + 2;
             let placed = smoothed(&[piece(0, 0, a), piece(1, b, 59)]);
             let locked = locked(&placed, &[]);
             let (before, after) = (slide_m_s(&placed), slide_m_s(&locked));
-            prop_assert!(after < 0.25 * before + 0.01, "{before} became {after} m/s");
+            prop_assert!(after < 0.2 * before + 0.01, "{before} became {after} m/s");
             prop_assert_eq!(placed.motion.root_positions_m(), locked.motion.root_positions_m());
         }
 

@@ -4,7 +4,7 @@ use glam::{Quat, Vec3};
 
 use crate::contacts::{self, Side};
 use crate::ids::JointIdx;
-use crate::ik::{self, TwoBone};
+use crate::ik::TwoBone;
 use crate::motion::Motion;
 use crate::skeleton::{JointRole, Skeleton};
 
@@ -111,17 +111,41 @@ impl Leg {
         let flexion = (limb.flexion_rad(now_m) + change).clamp(0.0, std::f32::consts::PI);
         let (u, l) = (upper.length(), lower.length());
         let reach_m = (u * u + l * l + 2.0 * u * l * flexion.cos()).max(0.0).sqrt();
-        let target_m = pose.hip_m + direction * reach_m;
-
-        let forward = pose.thigh * Vec3::Z;
-        let turn = ik::reach_for(pose.hip_m, pose.knee_m, pose.ankle_m, target_m, forward);
-        let thigh = (turn.upper * pose.thigh).normalize();
-        let shin = (turn.lower * pose.shin).normalize();
+        let bent = bend_knee(pose, limb, direction * reach_m);
+        let turned = |bone: Quat, from: Vec3, to: Vec3| {
+            let (from, to) = (from.normalize_or_zero(), to.normalize_or_zero());
+            (Quat::from_rotation_arc(bent.swing * from, to) * bent.swing * bone).normalize()
+        };
+        let thigh = turned(pose.thigh, upper, bent.knee);
+        let shin = turned(pose.shin, lower, direction * reach_m - bent.knee);
         let local = motion.rotations_mut(frame);
         local[self.up_leg.idx()] = (pose.parent_rotation.inverse() * thigh).normalize();
         local[self.shin.idx()] = (thigh.inverse() * shin).normalize();
         local[self.foot.idx()] = (shin.inverse() * pose.foot).normalize();
     }
+}
+
+/// A leg bent anew: vectors from the hip.
+struct Bent {
+    /// Turns the old line from hip to ankle onto the new one, by the shortest way.
+    swing: Quat,
+    knee: Vec3,
+}
+
+/// Bends the leg so that the ankle comes to `ankle`, seen from the hip.
+///
+/// The knee stays on the side on which it is; what it is bent more goes forwards. A leg that is
+/// straight but for the noise of capture would otherwise bend to whichever side the noise points.
+fn bend_knee(pose: &LegPose, limb: TwoBone, ankle: Vec3) -> Bent {
+    let (knee, old_ankle) = (pose.knee_m - pose.hip_m, pose.ankle_m - pose.hip_m);
+    let (old, new) = (old_ankle.normalize_or_zero(), ankle.normalize_or_zero());
+    let swing = Quat::from_rotation_arc(old, new);
+    let aside = swing * (knee - old * knee.dot(old));
+    let straight = limb.solve(Vec3::ZERO, ankle, pose.thigh * Vec3::Z);
+    let new_aside_m = (straight.mid_m - new * straight.mid_m.dot(new)).length();
+    let more_m = (new_aside_m - aside.length()).max(0.0);
+    let pole = aside + pose.thigh * Vec3::Z * more_m;
+    Bent { swing, knee: limb.solve(Vec3::ZERO, ankle, pole).mid_m }
 }
 
 #[cfg(test)]

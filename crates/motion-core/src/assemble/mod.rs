@@ -21,6 +21,7 @@
 pub mod footlock;
 pub mod leg;
 pub mod place;
+pub mod plants;
 pub mod satisfy;
 pub mod seam;
 pub mod seam_curve;

@@ -37,7 +37,7 @@ pub const PAPER_SECS: f64 = 1.0;
 /// 2·Δv/s: at 0.6 s a jump of 0.1 m and 0.3 m/s, large for an edge under the default τ, costs
 /// 1.3 m/s², little against the 15 m/s² of a walk. Longer windows gain nothing and drag planted
 /// feet about for longer.
-pub const MATCHED_SECS: f64 = 0.6;
+pub const MATCHED_SECS: f64 = 0.5;
 
 /// What jumps at a cut.
 struct Jump {

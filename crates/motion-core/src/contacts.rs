@@ -22,17 +22,21 @@ pub const PLANT_SPEED_M_S: f32 = 0.15;
 
 /// A plant that has begun goes on until the toe joint is faster than this, metres per second:
 /// the hysteresis that keeps marker noise from cutting one plant in two.
-pub const RELEASE_SPEED_M_S: f32 = 0.22;
+pub const RELEASE_SPEED_M_S: f32 = 0.30;
 
 /// A planted toe joint moves up or down no faster than this, metres per second: a foot that is
 /// lifted straight up is not planted while it rises.
-pub const PLANT_CLIMB_M_S: f32 = 0.30;
+pub const PLANT_CLIMB_M_S: f32 = 0.50;
 
 /// A planted toe joint is no higher above its support than this, metres.
 pub const PLANT_HEIGHT_M: f32 = 0.05;
 
-/// A plant lasts at least this long, seconds.
+/// A plant lasts at least this long by the rule for motions of any origin, seconds.
 pub const PLANT_SECS: f64 = 0.12;
+
+/// A foot is held still for at least this long, seconds. Shorter than [`PLANT_SECS`], since the
+/// toes of a runner rest for no more than a tenth of a second.
+pub const STILL_SECS: f64 = 0.09;
 
 /// Half the span over which speeds are taken, seconds: central differences over two frames at
 /// 30 frames per second, over eight at 120, so that the rate does not change what is a plant.
@@ -40,8 +44,8 @@ pub const SPEED_HALF_SPAN_SECS: f64 = 1.0 / 30.0;
 
 /// The definition of a carried contact in words, for `measure --explain`.
 pub const DEFINITION: &str = "carried contact: the toe joint is held still (begins below 0.15 m/s \
-     along the ground, ends above 0.22 m/s; no faster than 0.30 m/s up or down; speeds over \
-     1/15 s) within 5 cm of the height of its own support for at least 0.12 s, on the floor or on \
+     along the ground, ends above 0.30 m/s; no faster than 0.50 m/s up or down; speeds over \
+     1/15 s) within 5 cm of the height of its own support for at least 0.09 s, on the floor or on \
      something that bears the body";
 
 /// The definition of a planted foot on motions of any origin, for `measure --explain`.
@@ -127,9 +131,9 @@ pub fn speeds_m_s(path_m: &[Vec3], fps: Fps) -> Vec<(f32, f32)> {
         .collect()
 }
 
-/// The frames that a plant of [`PLANT_SECS`] has at least: `n` frames hold for `n / fps`.
-pub fn min_plant_frames(fps: Fps) -> usize {
-    ((PLANT_SECS * fps.get()) - 1e-6).ceil().max(2.0) as usize
+/// The fewest frames that hold for `secs` seconds, at least 2: `n` frames hold for `n / fps`.
+pub fn min_frames(secs: f64, fps: Fps) -> usize {
+    (secs * fps.get() - 1e-6).ceil().max(2.0) as usize
 }
 
 /// Every spell in which the joint on `path_m` is held still, at whatever height.
@@ -137,13 +141,13 @@ pub fn min_plant_frames(fps: Fps) -> usize {
 /// A spell begins where the joint is slower than [`PLANT_SPEED_M_S`] and reaches both ways as
 /// long as it stays slower than [`RELEASE_SPEED_M_S`] along the ground and [`PLANT_CLIMB_M_S`]
 /// upwards. It is then cut to the frames within [`PLANT_HEIGHT_M`] of its lowest level (10th
-/// percentile); what lasts [`PLANT_SECS`] is returned, in order, without overlaps.
+/// percentile); what lasts [`STILL_SECS`] is returned, in order, without overlaps.
 pub fn stills(path_m: &[Vec3], fps: Fps) -> Vec<Still> {
     let speeds = speeds_m_s(path_m, fps);
     let slow = |frame: usize| {
         speeds[frame].0 < RELEASE_SPEED_M_S && speeds[frame].1.abs() < PLANT_CLIMB_M_S
     };
-    let min_frames = min_plant_frames(fps);
+    let min_frames = min_frames(STILL_SECS, fps);
     let mut found = Vec::new();
     for spell in runs(path_m.len(), slow) {
         if !spell.clone().any(|frame| speeds[frame].0 < PLANT_SPEED_M_S) {
@@ -195,7 +199,7 @@ pub fn planted_on_lowest(path_m: &[Vec3], fps: Fps) -> Vec<bool> {
     let touches = |frame: usize| {
         path_m[frame].y < lowest + PLANT_HEIGHT_M && speeds[frame].0 < PLANT_SPEED_M_S
     };
-    let min_frames = min_plant_frames(fps);
+    let min_frames = min_frames(PLANT_SECS, fps);
     for run in runs(path_m.len(), touches) {
         if run.len() >= min_frames {
             planted[run].fill(true);
@@ -327,7 +331,7 @@ mod tests {
             let mut end = 0;
             for still in stills(&path, Fps::THIRTY) {
                 prop_assert!(still.frames.start >= end);
-                prop_assert!(still.frames.len() >= min_plant_frames(Fps::THIRTY));
+                prop_assert!(still.frames.len() >= min_frames(STILL_SECS, Fps::THIRTY));
                 prop_assert!(still.frames.end <= path.len());
                 end = still.frames.end;
             }

@@ -22,6 +22,10 @@ pub const FLOOR_SNAP_M: f32 = 0.08;
 /// their standing height: a foot raised for a kick does not, a foot that climbs a step does.
 pub const BEARING_SHARE: f32 = 0.85;
 
+/// A foot bears the body off the floor for at least this long, seconds; feet at the top of a
+/// jump are still for less.
+pub const BEARING_SECS: f64 = 0.2;
+
 /// A sole is no higher than this share of the leg; what is more is the floor's doing.
 const MAX_SOLE_SHARE: f32 = 0.12;
 
@@ -76,7 +80,7 @@ pub fn calibrate(skeleton: &Skeleton, motions: &mut [Motion]) -> Vec<GroundTrack
 ///   its lowest plants are those within [`FLOOR_SNAP_M`] of the lowest. A clip without plants is
 ///   lowered by its lowest toe (1st percentile). Without recognised feet nothing is moved.
 /// * **Contacts.** Spells in which a foot is held still, on the floor or on something that bears
-///   the body ([`BEARING_SHARE`]).
+///   the body ([`BEARING_SHARE`], [`BEARING_SECS`]).
 /// * **Level.** Planted feet within [`FLOOR_SNAP_M`] of the floor are at exactly 0, others at
 ///   their own height; where feet differ each counts less towards the ends of its plant; flights
 ///   go from one support to the next. A triangle of ± 0.35 s then smooths the series, so
@@ -247,11 +251,16 @@ fn bearing_plants(
     standing_m: f32,
 ) -> Vec<Plant> {
     let hips = hips_path_m(skeleton, motion);
+    let min_frames = contacts::min_frames(BEARING_SECS, motion.fps());
     let mut plants = Vec::new();
     for (side, stills) in Side::BOTH.into_iter().zip(feet) {
         for still in stills {
             let on_floor = still.height_m.abs() <= FLOOR_SNAP_M;
-            if on_floor || hips_rise_m(&hips, still) >= BEARING_SHARE * standing_m {
+            let bears = || {
+                still.frames.len() >= min_frames
+                    && hips_rise_m(&hips, still) >= BEARING_SHARE * standing_m
+            };
+            if on_floor || bears() {
                 let level_m = if on_floor { 0.0 } else { still.height_m };
                 plants.push(Plant { side, still: still.clone(), level_m });
             }
@@ -313,7 +322,7 @@ fn bridged(sums: &[(f32, f32)]) -> Vec<f32> {
 }
 
 /// `levels` under a triangle that reaches `half` frames to either side; ends are held.
-fn smoothed(levels: &[f32], half: usize) -> Vec<f32> {
+pub(crate) fn smoothed(levels: &[f32], half: usize) -> Vec<f32> {
     let last = levels.len() as isize - 1;
     let half = half as isize;
     (0..=last)
@@ -378,6 +387,23 @@ mod tests {
         let track = &calibrate(&legs(), &mut [jumps(&[0.03; 4])])[0];
         assert!(levels(track).iter().all(|&level| level == 0.0));
         assert!(track.contacts[10].left && track.contacts[10].right);
+        assert!(!track.contacts[35].any(), "in flight");
+    }
+
+    #[test]
+    fn the_top_of_a_jump_on_the_spot_is_no_step() {
+        let mut hips = vec![TOE_BELOW_HIPS_M + 0.03; 30];
+        // 0.4 s in the air, 0.2 m up.
+        hips.extend((1..12).map(|f| {
+            let t = f as f32 / 30.0;
+            TOE_BELOW_HIPS_M + 0.03 + 9.81 * 0.5 * t * (0.4 - t)
+        }));
+        hips.extend(vec![TOE_BELOW_HIPS_M + 0.03; 30]);
+        let rotations = vec![Quat::IDENTITY; hips.len() * 9];
+        let roots = hips.into_iter().map(|y| Vec3::Y * y).collect();
+        let jump = Motion::new(Fps::THIRTY, 9, roots, rotations).expect("valid by construction");
+        let track = &calibrate(&legs(), &mut [jump])[0];
+        assert!(levels(track).iter().all(|&level| level == 0.0));
         assert!(!track.contacts[35].any(), "in flight");
     }
 

@@ -13,7 +13,7 @@ use super::leg::{Leg, LegPose};
 use super::place::Placed;
 use super::plants::plants;
 use crate::contacts::{Side, percentile};
-use crate::floor::Soles;
+use crate::floor::{Soles, smoothed};
 use crate::skeleton::Skeleton;
 
 /// What is done about feet.
@@ -35,6 +35,9 @@ const MAX_SHIFT_M: f32 = 0.15;
 const MAX_DIP_M: f32 = 0.01;
 /// A support whose level changes by less than this over a plant is one floor, metres.
 const FLAT_M: f32 = 0.01;
+/// A support whose level changes by this much more than [`FLAT_M`] nearby has no floor to speak
+/// of, metres.
+const UNEVEN_M: f32 = 0.10;
 /// Shifts below this are not worth a knee, metres.
 const NEGLIGIBLE_M: f32 = 2e-5;
 
@@ -86,11 +89,10 @@ fn shifts_m(
         fade_gap(&mut shifts, previous_end..start, fade);
         previous_end = end;
     }
+    let floors = floor_weights(&placed.levels_m, &plants, fade);
     for (frame, shift) in shifts.iter_mut().enumerate() {
-        if is_flat(&placed.levels_m, frame, fade) {
-            let height_m = poses[frame].toe_m.y + shift.y - placed.levels_m[frame] - sole_m;
-            shift.y += out_of_floor_m(height_m) - height_m;
-        }
+        let height_m = poses[frame].toe_m.y + shift.y - placed.levels_m[frame] - sole_m;
+        shift.y += floors[frame] * (out_of_floor_m(height_m) - height_m);
         *shift *= away_from(hard, frame, fade);
     }
     shifts
@@ -102,10 +104,8 @@ fn place_of(placed: &Placed, poses: &[LegPose], plant: Range<usize>, sole_m: f32
     let sum: Vec3 = poses[plant.clone()].iter().map(|pose| pose.toe_m).sum();
     let mut place_m = sum / plant.len() as f32;
     let levels = &placed.levels_m[plant.clone()];
-    let (lowest, highest) = levels
-        .iter()
-        .fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), &l| (lo.min(l), hi.max(l)));
-    place_m.y = if highest - lowest < FLAT_M {
+    place_m.y = if is_flat(levels) {
+        let (lowest, highest) = extent(levels);
         0.5 * (lowest + highest) + sole_m
     } else {
         let mut heights: Vec<f32> = poses[plant].iter().map(|pose| pose.toe_m.y).collect();
@@ -167,13 +167,39 @@ fn out_of_floor_m(height_m: f32) -> f32 {
     if height_m >= 0.0 { height_m } else { -MAX_DIP_M * (1.0 - (height_m / MAX_DIP_M).exp()) }
 }
 
-/// Whether the support is one floor for `reach` frames around `frame`.
-fn is_flat(levels_m: &[f32], frame: usize, reach: usize) -> bool {
+/// How much of a floor there is under each frame for a toe to dip into: 1 where the support is
+/// even for `reach` frames either way, 0 where it passes from step to step and in plants on such
+/// ground, smooth in between.
+fn floor_weights(levels_m: &[f32], plants: &[Range<usize>], reach: usize) -> Vec<f32> {
     let last = levels_m.len() - 1;
-    let here = levels_m[frame];
-    [frame.saturating_sub(reach), (frame + reach).min(last)]
-        .into_iter()
-        .all(|other| (levels_m[other] - here).abs() < FLAT_M)
+    let mut weights: Vec<f32> = (0..levels_m.len())
+        .map(|frame| {
+            let here = levels_m[frame];
+            let rise_m = [frame.saturating_sub(reach), (frame + reach).min(last)]
+                .into_iter()
+                .map(|other| (levels_m[other] - here).abs())
+                .fold(0.0, f32::max);
+            (1.0 - (rise_m - FLAT_M) / UNEVEN_M).clamp(0.0, 1.0)
+        })
+        .collect();
+    if weights.iter().all(|&weight| weight == 1.0) {
+        return weights;
+    }
+    for plant in plants.iter().filter(|plant| !is_flat(&levels_m[(*plant).clone()])) {
+        weights[plant.clone()].fill(0.0);
+    }
+    smoothed(&weights, reach / 2)
+}
+
+/// Whether a plant with these levels stands on one floor.
+fn is_flat(levels_m: &[f32]) -> bool {
+    let (lowest, highest) = extent(levels_m);
+    highest - lowest < FLAT_M
+}
+
+fn extent(levels_m: &[f32]) -> (f32, f32) {
+    let start = (f32::INFINITY, f32::NEG_INFINITY);
+    levels_m.iter().fold(start, |(lowest, highest), &l| (lowest.min(l), highest.max(l)))
 }
 
 /// 0 at the frames of `hard`, 1 from `reach` frames off, smooth in between.

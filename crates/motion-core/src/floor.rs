@@ -13,7 +13,7 @@ use crate::ground::{Contacts, GroundTrack};
 use crate::ids::JointIdx;
 use crate::motion::Motion;
 use crate::skeleton::{JointRole, Skeleton};
-use crate::units::Fps;
+use crate::support_level::{Plant, levels_m};
 
 /// A plant within this of the floor stands on the floor, metres.
 pub const FLOOR_SNAP_M: f32 = 0.08;
@@ -28,12 +28,6 @@ pub const BEARING_SECS: f64 = 0.2;
 
 /// A sole is no higher than this share of the leg; what is more is the floor's doing.
 const MAX_SOLE_SHARE: f32 = 0.12;
-
-/// A plant's say in the support height fades in and out over this time, seconds.
-const HANDOVER_SECS: f64 = 0.30;
-
-/// Half the width of the triangle that the support height is smoothed with, seconds.
-const SMOOTHING_SECS: f64 = 0.35;
 
 /// Height of each toe joint above what it stands on, metres; indexed by [`Side::idx`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -127,7 +121,7 @@ pub fn calibrate_reported(skeleton: &Skeleton, motions: &mut [Motion]) -> Calibr
             clip.highest_m = levels.iter().copied().fold(0.0, f32::max);
             let mut planted = vec![Contacts::default(); motion.n_frames()];
             for plant in &plants {
-                for contacts in &mut planted[plant.still.frames.clone()] {
+                for contacts in &mut planted[plant.frames.clone()] {
                     contacts.set_side(plant.side, true);
                 }
             }
@@ -209,14 +203,6 @@ fn floor_of_lowest_toe_m(
     lowest.reduce(f32::min).unwrap_or(0.0)
 }
 
-/// A spell in which a foot stands on something.
-struct Plant {
-    side: Side,
-    still: Still,
-    /// Height of what it stands on, exactly 0 for the floor, metres.
-    level_m: f32,
-}
-
 /// How high the hips rise above the sole over a spell (90th percentile), metres.
 fn hips_rise_m(hips_path_m: &[Vec3], still: &Still) -> f32 {
     let mut rise: Vec<f32> =
@@ -262,80 +248,12 @@ fn bearing_plants(
             };
             if on_floor || bears() {
                 let level_m = if on_floor { 0.0 } else { still.height_m };
-                plants.push(Plant { side, still: still.clone(), level_m });
+                plants.push(Plant { side, frames: still.frames.clone(), level_m });
             }
         }
     }
-    plants.sort_by_key(|plant| (plant.still.frames.start, plant.side));
+    plants.sort_by_key(|plant| (plant.frames.start, plant.side));
     plants
-}
-
-/// The support height of every frame, metres.
-fn levels_m(plants: &[Plant], n_frames: usize, fps: Fps) -> Vec<f32> {
-    if plants.iter().all(|plant| plant.level_m == 0.0) {
-        return vec![0.0; n_frames];
-    }
-    let handover = (HANDOVER_SECS * fps.get()) as f32;
-    // Σ weight · level and Σ weight per frame; a weight is in (0, 1] within its plant.
-    let mut sums = vec![(0.0f32, 0.0f32); n_frames];
-    for plant in plants {
-        let frames = plant.still.frames.clone();
-        let ramp = handover.min(0.5 * frames.len() as f32);
-        for frame in frames.clone() {
-            let inside = (frame - frames.start + 1).min(frames.end - frame) as f32;
-            let t = (inside / ramp).min(1.0);
-            let weight = t * t * (3.0 - 2.0 * t);
-            sums[frame].0 += weight * plant.level_m;
-            sums[frame].1 += weight;
-        }
-    }
-    let mut levels = bridged(&sums);
-    let half = fps.frames_in_secs(SMOOTHING_SECS);
-    if half > 0 {
-        levels = smoothed(&levels, half);
-    }
-    levels
-}
-
-/// The weighted means, with frames in flight between two supports interpolated linearly and the
-/// ends held.
-fn bridged(sums: &[(f32, f32)]) -> Vec<f32> {
-    let mut levels: Vec<f32> =
-        sums.iter().map(|&(sum, weight)| if weight > 0.0 { sum / weight } else { 0.0 }).collect();
-    let last = levels.len().saturating_sub(1);
-    for flight in contacts::runs(sums.len(), |frame| sums[frame].1 <= 0.0) {
-        let before = flight.start.checked_sub(1).map(|frame| levels[frame]);
-        let after = (flight.end <= last).then(|| levels[flight.end]);
-        let (before, after) = match (before, after) {
-            (Some(before), Some(after)) => (before, after),
-            (Some(held), None) | (None, Some(held)) => (held, held),
-            (None, None) => (0.0, 0.0),
-        };
-        let span = (flight.len() + 1) as f32;
-        let start = flight.start;
-        for frame in flight {
-            let t = (frame - start + 1) as f32 / span;
-            levels[frame] = before + (after - before) * t;
-        }
-    }
-    levels
-}
-
-/// `levels` under a triangle that reaches `half` frames to either side; ends are held.
-pub(crate) fn smoothed(levels: &[f32], half: usize) -> Vec<f32> {
-    let last = levels.len() as isize - 1;
-    let half = half as isize;
-    (0..=last)
-        .map(|frame| {
-            let (mut sum, mut weights) = (0.0f64, 0.0f64);
-            for offset in -half..=half {
-                let weight = (half + 1 - offset.abs()) as f64;
-                sum += weight * f64::from(levels[(frame + offset).clamp(0, last) as usize]);
-                weights += weight;
-            }
-            (sum / weights) as f32
-        })
-        .collect()
 }
 
 #[cfg(test)]
@@ -345,6 +263,7 @@ mod tests {
 
     use super::*;
     use crate::testing::{TOE_BELOW_HIPS_M, joint, legs};
+    use crate::units::Fps;
 
     /// The stiff body stands for 1 s with its toe joints at each height in turn and jumps 0.5 m
     /// ahead in between (0.4 s, 0.3 m up).

@@ -28,6 +28,7 @@ pub mod score;
 pub mod search;
 pub mod similarity;
 pub mod skeleton;
+pub mod support_level;
 pub mod units;
 
 #[cfg(test)]

@@ -13,8 +13,9 @@ use super::leg::{Leg, LegPose};
 use super::place::Placed;
 use super::plants::plants;
 use crate::contacts::{Side, percentile};
-use crate::floor::{Soles, smoothed};
+use crate::floor::Soles;
 use crate::skeleton::Skeleton;
+use crate::support_level::smoothed;
 
 /// What is done about feet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

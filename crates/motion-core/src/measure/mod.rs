@@ -89,7 +89,7 @@ pub fn measure(skeleton: &Skeleton, motion: &Motion, carried: Option<&Support>) 
         carried_slide: carried.and_then(|support| feet::carried_slide(&toes, fps, support)),
         penetration_max_m: support::penetration_max_m(&toes, support),
         float_max_m: support::float_max_m(&toes, support),
-        skate: feet::skate(&toes, fps),
+        skate: feet::skate(&toes, fps, support),
         joint_speed_max_m_s: dynamics::speed_max_m_s(&positions_m, motion),
         joint_acceleration_p99_m_s2: dynamics::acceleration_p99_m_s2(&positions_m, motion),
         joint_jerk_p99_m_s3: dynamics::jerk_p99_m_s3(&positions_m, motion),

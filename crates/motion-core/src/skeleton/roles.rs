@@ -1,6 +1,6 @@
 //! What part of the body a joint is, recognised from its name.
 //!
-//! Names are read by [`names::read`](super::names::read): a side, if there is one, and a word for
+//! Names are read by [`names::read`]: a side, if there is one, and a word for
 //! the part. Each role lists its words, best first; of equally good joints the one nearest to
 //! the root plays the role. Three habits of naming need more than a list:
 //!

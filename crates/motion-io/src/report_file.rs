@@ -166,17 +166,27 @@ pub struct ConstraintReport {
     pub frame_error: Option<i64>,
 }
 
-/// Figures of a motion's quality, as `measure` prints them; its `--help` defines each.
+/// Figures of a motion's quality, as `measure` prints them; `measure --explain` defines each.
+/// `null` where a motion has no occasion for a figure (slide without plants).
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct QualityReport {
     /// Mean horizontal speed of a foot joint while it is planted.
-    pub foot_slide_cm_per_s: f64,
+    pub foot_slide_cm_per_s: Option<f64>,
     /// Largest drift within one plant.
-    pub foot_slide_max_cm: f64,
+    pub foot_slide_max_cm: Option<f64>,
+    /// Mean speed while the source clips say that the foot is planted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foot_slide_carried_cm_per_s: Option<f64>,
     /// How deep a sole sinks below its support.
-    pub ground_penetration_max_cm: f64,
+    pub ground_penetration_max_cm: Option<f64>,
     /// How far a planted sole floats above its support.
-    pub float_max_cm: f64,
+    pub float_max_cm: Option<f64>,
+    /// Share of frames with a low toe faster than 0.5 m/s.
+    pub skate_ratio: Option<f64>,
+    /// The same at 0.2 m/s.
+    pub skate_ratio_kimodo: Option<f64>,
+    /// Mean speed of low toes.
+    pub toe_speed_below_5cm_m_s: Option<f64>,
     /// Fastest joint.
     pub joint_speed_max_m_s: f64,
     /// 99th percentile of joint acceleration.
@@ -189,6 +199,20 @@ pub struct QualityReport {
     pub travel_m: f64,
     /// Turn of the heading from the first to the last frame, whole turns counted.
     pub turn_deg: f64,
+}
+
+/// What `measure` says of a motion.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MeasureReport {
+    /// Frames of the motion.
+    pub frames: u64,
+    /// Frames per second.
+    pub fps: f64,
+    /// The body: its number of joints and its root.
+    pub skeleton: String,
+    /// The figures.
+    #[serde(flatten)]
+    pub quality: QualityReport,
 }
 
 /// A point of the search's course.

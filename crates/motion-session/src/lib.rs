@@ -1,0 +1,24 @@
+//! The application without a window.
+//!
+//! [`library_job`] makes a [`Library`] of files; [`problem`] gives a project its meaning for one;
+//! [`solve_job`] searches, under a budget, and reports. Nothing here prints or waits for a person:
+//! jobs take a cancel token and a callback that hears how far they are.
+
+pub mod error;
+pub mod library;
+pub mod library_info;
+pub mod library_job;
+pub mod library_source;
+
+pub mod budget;
+pub mod finish;
+pub mod problem;
+pub mod project_job;
+pub mod quality;
+pub mod results;
+pub mod sample;
+pub mod solve_job;
+pub mod unmet;
+
+pub use error::JobError;
+pub use library::Library;

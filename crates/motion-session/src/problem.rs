@@ -1,0 +1,203 @@
+//! What a project means for a library: one search problem for each character, and sentences on
+//! what this version leaves out.
+
+use std::path::Path;
+
+use glam::Vec2;
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
+use motion_core::constraint::{BodyConstraint, LengthMode, LengthWish};
+use motion_core::score::{Weights, Wishes};
+use motion_core::search::Problem;
+use motion_io::diagnostic::FileError;
+use motion_io::project_file::{self, Character, Constraint, ConstraintKind, Palette, Project};
+
+use crate::Library;
+
+/// One character's problem, with what the report needs to speak of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CharacterProblem {
+    /// The character's name, fit for a file name.
+    pub name: String,
+    /// What is searched.
+    pub problem: Problem,
+    /// Ids of the body constraints, in the problem's order.
+    pub body_ids: Vec<String>,
+    /// Sentences on what the project asks and this version does not meet.
+    pub left_out: Vec<String>,
+}
+
+/// The problem of `character`. Errors name `project_path`.
+pub fn problem_of(
+    project: &Project,
+    character: &Character,
+    library: &Library,
+    bridges: bool,
+    project_path: &Path,
+) -> Result<CharacterProblem, FileError> {
+    let mut left_out = Vec::new();
+    let mut body: Vec<(String, BodyConstraint, bool)> = Vec::new();
+    for constraint in &character.constraints {
+        match body_constraint(constraint) {
+            Some((wish, closed)) => body.push((constraint.id.clone(), wish, !closed)),
+            None => left_out.push(format!(
+                "{} constraint {:?} was not considered: this version meets body constraints and \
+                 lengths only",
+                constraint.kind.name(),
+                constraint.id
+            )),
+        }
+        if constraint.tolerance.is_some() {
+            left_out.push(format!(
+                "the tolerance of constraint {:?} was not considered: 10 frames, 0.30 m and 10° \
+                 count alike",
+                constraint.id
+            ));
+        }
+    }
+    body.sort_by_key(|(_, wish, _)| wish.frame);
+    let open: Vec<bool> = body.iter().map(|(_, _, open)| *open).collect();
+    let mut body: Vec<_> = body.into_iter().map(|(id, wish, _)| (id, wish)).collect();
+    close_headings(&mut body, &open, &mut left_out);
+    let (body_ids, body) = body.into_iter().unzip();
+    let allowed_clips = allowed_clips(project.palette.as_ref(), library, project_path)?;
+    let wishes = Wishes {
+        length: character.length.as_ref().and_then(length_wish),
+        body,
+        weights: weights(project, &mut left_out),
+    };
+    let problem = Problem { wishes, allowed_clips, bridges };
+    problem.check().map_err(|error| {
+        let text = error.to_string();
+        let (what, what_to_do) = text.split_once("; ").unwrap_or((&text, "correct the project"));
+        let what = format!("character {:?}: {what}", character.name);
+        FileError::new(project_path, what, what_to_do)
+    })?;
+    Ok(CharacterProblem { name: character.name.clone(), problem, body_ids, left_out })
+}
+
+/// Sentences on what the project as a whole asks and this version does not meet.
+pub fn left_out_of_project(project: &Project) -> Vec<String> {
+    let mut left_out = Vec::new();
+    if !project.interactions.is_empty() {
+        left_out.push(
+            "interactions between characters were not considered: this version finds each \
+             character's motion by itself"
+                .to_owned(),
+        );
+    }
+    if !project.obstacles.is_empty() {
+        left_out.push("obstacles were not considered: this version walks through them".to_owned());
+    }
+    left_out
+}
+
+/// A body constraint as the search takes it, without a heading where the project leaves it open.
+fn body_constraint(constraint: &Constraint) -> Option<(BodyConstraint, bool)> {
+    let ConstraintKind::Body { frame, position_m: [x, z], heading_deg, height_m } = constraint.kind
+    else {
+        return None;
+    };
+    let wish = BodyConstraint {
+        frame,
+        position_m: Vec2::new(x as f32, z as f32),
+        heading_rad: heading_deg.unwrap_or_default().to_radians() as f32,
+        height_m: height_m.map(|height| height as f32),
+        weight: constraint.weight.unwrap_or(1.0) as f32,
+    };
+    Some((wish, heading_deg.is_some()))
+}
+
+/// The heading of someone who walks from `a` to `b`; `None` where they are at one place.
+fn heading_along_rad(a: &BodyConstraint, b: &BodyConstraint) -> Option<f32> {
+    let way = b.position_m - a.position_m;
+    (way.length() > 0.05).then(|| way.x.atan2(way.y))
+}
+
+/// Gives constraints whose heading is open that of the way to them (the first: of the way from
+/// it), and says so.
+fn close_headings(
+    body: &mut [(String, BodyConstraint)],
+    open: &[bool],
+    left_out: &mut Vec<String>,
+) {
+    for nth in 0..body.len() {
+        if !open[nth] {
+            continue;
+        }
+        let (a, b) = if nth == 0 { (0, 1.min(body.len() - 1)) } else { (nth - 1, nth) };
+        let heading_rad = heading_along_rad(&body[a].1, &body[b].1).unwrap_or_default();
+        body[nth].1.heading_rad = heading_rad;
+        left_out.push(format!(
+            "body constraint {:?} leaves its heading open; the direction of the way was taken, {:.0}°",
+            body[nth].0,
+            heading_rad.to_degrees()
+        ));
+    }
+}
+
+fn length_wish(length: &project_file::Length) -> Option<LengthWish> {
+    let mode = match length.mode {
+        project_file::LengthMode::Free => LengthMode::Free,
+        project_file::LengthMode::Preferred => LengthMode::Preferred,
+        project_file::LengthMode::Exact => LengthMode::Exact,
+    };
+    let weight = length.weight.unwrap_or(1.0) as f32;
+    length.frames.map(|frames| LengthWish { frames, mode, weight })
+}
+
+fn weights(project: &Project, left_out: &mut Vec<String>) -> Weights {
+    let mut weights = Weights::default();
+    for (name, value) in &project.search.weights {
+        let value = *value as f32;
+        match name.as_str() {
+            "continuity" => weights.continuity = value,
+            "length" => weights.length = value,
+            "body" => weights.body = value,
+            "environment" => weights.environment = value,
+            _ => left_out.push(format!("the weight {name:?} was not considered")),
+        }
+    }
+    weights
+}
+
+/// For each clip whether the palette has it. A pattern for `walk` has `walk@mirror` too.
+fn allowed_clips(
+    palette: Option<&Palette>,
+    library: &Library,
+    project_path: &Path,
+) -> Result<Vec<bool>, FileError> {
+    let clips = library.clips.clips();
+    let Some(palette) = palette else { return Ok(vec![true; clips.len()]) };
+    let include = patterns(&palette.include, project_path)?;
+    let exclude = patterns(&palette.exclude, project_path)?;
+    let allowed: Vec<bool> = clips
+        .iter()
+        .map(|clip| {
+            let source = clip.id.strip_suffix("@mirror").unwrap_or(&clip.id);
+            let matches = |set: &GlobSet| set.is_match(source) || set.is_match(&clip.id);
+            let tagged =
+                palette.tags.is_empty() || clip.tags.iter().any(|tag| palette.tags.contains(tag));
+            (palette.include.is_empty() || matches(&include)) && !matches(&exclude) && tagged
+        })
+        .collect();
+    if !allowed.contains(&true) {
+        return Err(FileError::new(
+            project_path,
+            format!("the palette leaves none of the library's {} clips", clips.len()),
+            "include more or exclude less",
+        ));
+    }
+    Ok(allowed)
+}
+
+fn patterns(patterns: &[String], project_path: &Path) -> Result<GlobSet, FileError> {
+    let bad = |error: globset::Error| {
+        let what = format!("the palette has a pattern that is none ({error})");
+        FileError::new(project_path, what, "use * for anything and ? for one character")
+    };
+    let mut set = GlobSetBuilder::new();
+    for pattern in patterns {
+        set.add(GlobBuilder::new(pattern).case_insensitive(true).build().map_err(bad)?);
+    }
+    set.build().map_err(bad)
+}

@@ -1,0 +1,236 @@
+//! A project solved: every character's search, motions and report.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::path::Path;
+use std::sync::Arc;
+
+use motion_core::assemble::Assembler;
+use motion_core::cancel::CancelToken;
+use motion_core::motion::Motion;
+use motion_core::search::SearchLibrary;
+use motion_core::units::Fps;
+use motion_io::diagnostic::{FileError, Warnings};
+use motion_io::project_file::{Character, Project, relative_to};
+use motion_io::report_file::{
+    CharacterReport, FORMAT_VERSION, FirstAcceptable, LibraryFigures, Report, TracePoint,
+};
+
+use crate::Library;
+use crate::budget::Budget;
+use crate::error::JobError;
+use crate::finish::finish;
+use crate::library_job::{GraphChoices, OnProgress};
+use crate::library_source::{LibraryChoice, resolve};
+use crate::problem::{left_out_of_project, problem_of};
+use crate::solve_job::{Found, SolveRequest, solve};
+use crate::unmet::unmet;
+
+/// What is to be solved.
+#[derive(Clone, Debug)]
+pub struct ProjectRequest<'a> {
+    /// The project.
+    pub project: &'a Project,
+    /// Its file: paths in it are relative to it, and messages name it.
+    pub path: &'a Path,
+    /// Instead of the project's choice of a library.
+    pub library: Option<LibraryChoice>,
+    /// Use mirror images even where the project does not say so.
+    pub mirror: bool,
+    /// Use no bridges even where the project does not say so.
+    pub no_bridges: bool,
+    /// Instead of the project's seed.
+    pub seed: Option<u64>,
+    /// Instead of the project's number of alternatives.
+    pub alternatives: Option<usize>,
+    /// How long to search, all characters together.
+    pub budget: Budget,
+}
+
+/// A project's motions and report.
+#[derive(Debug)]
+pub struct Solved {
+    /// The report; files are not named yet.
+    pub report: Report,
+    /// Motions of each character of the report, best first.
+    pub characters: Vec<SolvedCharacter>,
+}
+
+/// One character's motions.
+#[derive(Debug)]
+pub struct SolvedCharacter {
+    /// The library that they are made from; its skeleton is theirs.
+    pub library: Library,
+    /// The motions, in the report's order.
+    pub motions: Vec<Motion>,
+}
+
+/// A library made ready for searching.
+type Ready = (Library, Arc<SearchLibrary>);
+
+/// Solves every character of a project. What was found until `cancel` was raised is kept.
+/// `on_progress` hears what is done and the share of it.
+pub fn solve_project(
+    request: &ProjectRequest<'_>,
+    cancel: &CancelToken,
+    warnings: &mut Warnings,
+    on_progress: OnProgress<'_>,
+) -> Result<Solved, JobError> {
+    let ProjectRequest { project, path, .. } = request;
+    let seed = request.seed.unwrap_or(project.search.seed);
+    let bridges = !request.no_bridges && project.search.bridges.unwrap_or(true);
+    let mut ready: BTreeMap<LibraryChoice, Ready> = BTreeMap::new();
+    let mut problems = Vec::new();
+    for character in &project.characters {
+        let choice = library_choice(request, character);
+        let (library, search) = match ready.entry(choice) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => {
+                let loaded = load(request, entry.key(), cancel, warnings, on_progress)?;
+                entry.insert(loaded)
+            }
+        };
+        let problem = problem_of(project, character, library, bridges, path)?;
+        problems.push((problem, library.clone(), Arc::clone(search)));
+    }
+
+    let n_alternatives = request.alternatives.unwrap_or(project.search.alternatives as usize);
+    let budget = match request.budget {
+        Budget::Time(all) => Budget::Time(all / problems.len().max(1) as u32),
+        rounds @ Budget::Iterations(_) => rounds,
+    };
+    let mut report = Report {
+        gaitway: FORMAT_VERSION,
+        project: project.name.clone(),
+        seed,
+        seconds: Some(0.0),
+        library: problems
+            .first()
+            .map(|(problem, library, _)| {
+                library_figures(library, &problem.problem.allowed_clips, bridges)
+            })
+            .unwrap_or_default(),
+        ..Report::default()
+    };
+    let mut characters = Vec::new();
+    for (nth, (character, library, search)) in problems.into_iter().enumerate() {
+        let solve_request = SolveRequest {
+            library: search,
+            problem: character.problem.clone(),
+            seed: seed.wrapping_add(nth as u64),
+            budget,
+            n_alternatives,
+        };
+        let label = format!("searching for {}", character.name);
+        let found = solve(solve_request, cancel, &mut |share, _| on_progress(&label, share))
+            .map_err(|error| FileError::new(path, error.to_string(), "correct the project"))?;
+        let mut sentences = unmet(&character, &library, &found);
+        sentences.extend(left_out_of_project(project));
+        let assembler = Assembler::new(&library.clips);
+        let finished: Vec<_> = found
+            .alternatives
+            .iter()
+            .zip(1..)
+            .filter_map(|(alternative, rank)| {
+                finish(&library, &assembler, &character, alternative, rank)
+            })
+            .collect();
+        let (motions, alternatives) =
+            finished.into_iter().map(|finished| (finished.motion, finished.report)).unzip();
+        report.iterations += found.progress.iteration;
+        report.seconds = report.seconds.map(|seconds| seconds + found.seconds);
+        report.characters.push(CharacterReport {
+            name: character.name,
+            first_acceptable: found
+                .progress
+                .first_acceptable
+                .map(|iteration| FirstAcceptable { s: found.first_acceptable_s, iteration }),
+            alternatives,
+            trace: trace(&found),
+            unmet: sentences,
+        });
+        characters.push(SolvedCharacter { library, motions });
+    }
+    Ok(Solved { report, characters })
+}
+
+fn library_choice(request: &ProjectRequest<'_>, character: &Character) -> LibraryChoice {
+    if let Some(choice) = &request.library {
+        return choice.clone();
+    }
+    let written = character.library.as_ref().unwrap_or(&request.project.library);
+    LibraryChoice(relative_to(written, request.path))
+}
+
+/// Loads or builds a library and arranges it for searching.
+fn load(
+    request: &ProjectRequest<'_>,
+    choice: &LibraryChoice,
+    cancel: &CancelToken,
+    warnings: &mut Warnings,
+    on_progress: OnProgress<'_>,
+) -> Result<Ready, JobError> {
+    let ProjectRequest { project, path, .. } = request;
+    let choices = GraphChoices {
+        tau: project.search.tau,
+        mirror: request.mirror || project.search.mirror.unwrap_or(false),
+        no_bridges: false,
+    };
+    let fps = Fps::new(project.fps)
+        .map_err(|bad| FileError::new(*path, bad.to_string(), "correct the project's fps"))?;
+    let library = resolve(choice, fps, &choices, cancel, warnings, on_progress)?;
+    let library_fps = library.clips.fps().get();
+    if (library_fps - project.fps).abs() > 1e-3 {
+        let what = format!(
+            "the project counts {} frames per second and its library {library_fps}",
+            project.fps
+        );
+        let what_to_do = "build the library again with --fps, or change the project";
+        return Err(FileError::new(*path, what, what_to_do).into());
+    }
+    let known = project.hashes.as_ref().and_then(|hashes| hashes.library.as_ref());
+    if let (Some(known), Some(hash)) = (known, &library.hash)
+        && *known != hash.to_string()
+    {
+        warnings.warn(path, None, "the library has changed since the project was saved");
+    }
+    let search = SearchLibrary::new(Arc::clone(&library.clips), Arc::clone(&library.graph));
+    Ok((library, Arc::new(search)))
+}
+
+fn library_figures(library: &Library, allowed: &[bool], bridges: bool) -> LibraryFigures {
+    let graph = &library.graph;
+    let clips = library.clips.clips().iter().zip(allowed).filter(|(_, allowed)| **allowed);
+    let (mut n_clips, mut n_frames) = (0, 0);
+    for (clip, _) in clips {
+        n_clips += 1;
+        n_frames += clip.n_frames() as u64;
+    }
+    let (mut edges, mut coarse_edges) = (0, 0);
+    for pair in graph.forest.pairs() {
+        if allowed[pair.from.idx()] && allowed[pair.to.idx()] {
+            for root in graph.forest.roots(pair.tau_nodes()) {
+                coarse_edges += 1;
+                edges += u64::from(graph.forest.n_leaves(root));
+            }
+        }
+    }
+    let connectivity = if bridges { &graph.with_bridges } else { &graph.by_tau };
+    LibraryFigures {
+        clips: n_clips,
+        frames: n_frames,
+        edges,
+        coarse_edges,
+        components: u64::from(connectivity.n_parts),
+    }
+}
+
+fn trace(found: &Found) -> Vec<TracePoint> {
+    let point = |point: &crate::solve_job::TracePoint| TracePoint {
+        s: Some(point.s),
+        iteration: point.iteration,
+        best: f64::from(point.best),
+        alternatives: point.n_alternatives as u32,
+    };
+    found.trace.iter().map(point).collect()
+}

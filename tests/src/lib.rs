@@ -3,6 +3,7 @@
 
 pub mod cli;
 pub mod sources;
+pub mod walker;
 
 use std::path::{Path, PathBuf};
 

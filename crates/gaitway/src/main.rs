@@ -3,7 +3,9 @@
 
 mod args;
 mod commands;
+mod interrupt;
 mod output;
+mod plan;
 
 use std::process::ExitCode;
 
@@ -20,6 +22,7 @@ fn main() -> ExitCode {
 }
 
 fn run(args: Args) -> Result<(), Failure> {
+    plan::use_threads(args.common.threads)?;
     match args.command {
         Some(command) => commands::run(&args.common, command),
         None => commands::sample::run(&args.common),

@@ -9,5 +9,5 @@ use crate::output::{self, Failure};
 pub(crate) fn run(shell: Shell) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut args::program(), "gaitway", &mut script);
-    output::print(&String::from_utf8(script)?)
+    output::print(&String::from_utf8(script).map_err(anyhow::Error::from)?)
 }

@@ -1,15 +1,24 @@
 //! One module for each command.
 
 mod completions;
+mod convert;
+mod library;
 mod man;
+mod measure;
 pub(crate) mod sample;
+mod solve;
 
 use crate::args::{Command, Common};
-use crate::output::Failure;
+use crate::output::{Console, Failure};
 
 /// Does what was asked.
-pub(crate) fn run(_common: &Common, command: Command) -> Result<(), Failure> {
+pub(crate) fn run(common: &Common, command: Command) -> Result<(), Failure> {
+    let console = Console::new(common);
     match command {
+        Command::Library(args) => library::run(&console, &args),
+        Command::Solve(args) => solve::run(&console, common, &args),
+        Command::Measure(args) => measure::run(&console, &args),
+        Command::Convert(args) => convert::run(&console, &args),
         Command::Completions { shell } => completions::run(shell),
         Command::Man { output } => man::run(&output),
     }

@@ -1,0 +1,147 @@
+//! `library build`, `info` and `edges` on clips that the tests make.
+
+use std::collections::BTreeSet;
+
+use crate::{dir_with_clips, dir_with_library, gaitway, json};
+
+#[test]
+fn what_was_done_is_said_and_the_library_described() {
+    let dir = dir_with_clips();
+    let ran = gaitway(&dir, "library build clips -o small.gwlib").ok();
+    for line in ["clips              5, ", "frames             360 at 30 per second", "written to"]
+    {
+        assert!(ran.stdout.contains(line), "{line:?} is not in {}", ran.stdout);
+    }
+    let unit = "gaitway: clips/left.bvh and 4 more: lengths are in centimetres, by the body's size";
+    assert!(ran.stderr.lines().any(|line| line == unit), "{}", ran.stderr);
+}
+
+#[test]
+fn info_has_what_the_metric_needs() {
+    let dir = dir_with_library();
+    let info = json(&gaitway(&dir, "library info small.gwlib --json").ok().stdout);
+    assert_eq!((&info["clips"], &info["frames"]), (&5.into(), &360.into()));
+    let n_columns = info["metric"]["columns"].as_array().map_or(0, Vec::len);
+    assert!(n_columns > 10, "{n_columns} columns");
+    for list in ["M", "W", "O", "L"] {
+        let numbers = info["metric"][list].as_array().expect("a list");
+        assert_eq!(numbers.len(), n_columns, "{list}");
+        assert!(numbers.iter().all(|n| n.as_f64().is_some_and(|n| n > 0.0)), "{list}");
+    }
+    assert!(info["tau"].as_f64().is_some_and(|tau| tau > 0.0), "{}", info["tau"]);
+    assert_eq!(info["components"], 1, "bridges join what τ leaves apart");
+    assert_eq!(info["build"], serde_json::Value::Null, "times are not in a library");
+}
+
+#[test]
+fn edges_are_cheaper_than_tau_and_never_within_the_minimum_jump() {
+    let dir = dir_with_library();
+    let info = json(&gaitway(&dir, "library info small.gwlib --json").ok().stdout);
+    let tau = info["tau"].as_f64().expect("a number");
+    let min_jump = info["min_jump_frames"].as_i64().expect("a number");
+    let text = gaitway(&dir, "library edges small.gwlib --from walk --to walk").ok().stdout;
+    let mut seen = BTreeSet::new();
+    for line in text.lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        let [from, to, cost] = words[..] else { panic!("{line:?} has not three words") };
+        let (from, to): (i64, i64) = (from.parse().unwrap(), to.parse().unwrap());
+        let cost: f64 = cost.parse().unwrap();
+        assert!((0.0..tau).contains(&cost), "{line}");
+        assert!((from - to).abs() >= min_jump, "{line}");
+        assert!(seen.insert((from, to)), "{line} comes twice");
+    }
+    assert!(!seen.is_empty(), "a walk is like itself a cycle later");
+    assert!(seen.iter().all(|&(from, to)| seen.contains(&(to, from))), "the cost is symmetric");
+    let document =
+        json(&gaitway(&dir, "library edges small.gwlib --from walk --to walk --json").stdout);
+    assert_eq!(document.as_array().map(Vec::len), Some(seen.len()), "the same as JSON");
+}
+
+#[test]
+fn mirror_images_double_the_clips() {
+    let dir = dir_with_clips();
+    gaitway(&dir, "library build clips -o both.gwlib --mirror -q").ok();
+    let info = json(&gaitway(&dir, "library info both.gwlib --json").ok().stdout);
+    let ids: Vec<&str> =
+        info["clip_list"].as_array().unwrap().iter().map(|c| c["id"].as_str().unwrap()).collect();
+    assert_eq!(
+        ids,
+        [
+            "left",
+            "right",
+            "slow",
+            "walk",
+            "walk_late",
+            "left@mirror",
+            "right@mirror",
+            "slow@mirror",
+            "walk@mirror",
+            "walk_late@mirror",
+        ]
+    );
+}
+
+#[test]
+fn tau_and_bridges_can_be_set() {
+    let dir = dir_with_clips();
+    gaitway(&dir, "library build clips -o strict.gwlib --tau 1e-6 --no-bridges -q").ok();
+    let info = json(&gaitway(&dir, "library info strict.gwlib --json").ok().stdout);
+    assert_eq!((&info["tau"], &info["bridges"]), (&serde_json::json!(1e-6), &0.into()));
+    assert_eq!(info["components"], info["components_by_tau"], "nothing joins the parts");
+    gaitway(&dir, "library build clips -o joined.gwlib --tau 1e-6 -q").ok();
+    let info = json(&gaitway(&dir, "library info joined.gwlib --json").ok().stdout);
+    assert_eq!(info["components"], 1, "bridges join every part");
+}
+
+#[test]
+fn libraries_that_cannot_be() {
+    let dir = dir_with_library();
+    gaitway(&dir, "library info none.gwlib")
+        .refused("gaitway: none.gwlib: there is no such file; check the path");
+    gaitway(&dir, "library info clips").refused(
+        "gaitway: clips: it is a folder and not a library; \
+         build a library of it with `gaitway library build`",
+    );
+    gaitway(&dir, "library info clips/walk.bvh").refused(
+        "gaitway: clips/walk.bvh: it is not a Gaitway library; \
+         check the path, or build one with gaitway library build",
+    );
+    gaitway(&dir, "library edges small.gwlib --from wlk --to slow")
+        .refused("gaitway: small.gwlib: it has no clip \"wlk\"; did you mean walk, slow, left?");
+    gaitway(&dir, "library build clips -o small.lib").refused(
+        "gaitway: small.lib: the name of a library ends in .gwlib; \
+         choose such a name, so that others know what it is",
+    );
+    gaitway(&dir, "library build clips -o x.gwlib --tau -1").refused(
+        "gaitway: invalid value '-1' for '--tau <COST>': use a number above 0; \
+         `gaitway library build --help` says what can be given",
+    );
+    gaitway(&dir, "library build clips -o x.gwlib --fps 0").refused(
+        "gaitway: invalid value '0' for '--fps <RATE>': use a number from 1 to 1000; \
+         `gaitway library build --help` says what can be given",
+    );
+    let bytes = std::fs::read(dir.join("small.gwlib")).unwrap();
+    dir.file("cut.gwlib", &bytes[..bytes.len() / 2]);
+    gaitway(&dir, "library info cut.gwlib").refused(
+        "gaitway: cut.gwlib: the library file is damaged (it ends too early); \
+         build the library again",
+    );
+    let mut flipped = bytes;
+    let middle = flipped.len() / 2;
+    flipped[middle] ^= 1;
+    dir.file("flipped.gwlib", &flipped);
+    let ran = gaitway(&dir, "solve corner.gaitway -o out --library flipped.gwlib");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("flipped.gwlib: the library file is damaged"), "{}", ran.stderr);
+    assert!(!dir.join("out").exists(), "nothing is written before everything is read");
+}
+
+#[test]
+fn two_clips_of_one_name_are_refused_with_both_paths() {
+    let dir = dir_with_clips();
+    dir.file("more/walk.bvh", motion_tests::walker::Walk::default().bvh());
+    gaitway(&dir, "library build clips more -o x.gwlib -q").refused(
+        "gaitway: more/walk.bvh: its clip is called \"walk\", as that of clips/walk.bvh; \
+         rename one of the files",
+    );
+}

@@ -1,4 +1,4 @@
-//! Ctrl-C: stop searching and write what is there. Twice: stop at once.
+//! Ctrl-C: end the work early and keep what there is. Twice: stop at once.
 
 use std::io::Write as _;
 
@@ -17,7 +17,7 @@ pub(crate) fn cancel_on_interrupt() -> CancelToken {
             std::process::exit(130);
         }
         seen.cancel();
-        let line = "gaitway: stopping; what was found is written (Ctrl-C again: stop at once)";
+        let line = "gaitway: ending early (Ctrl-C again: stop at once)";
         drop(writeln!(std::io::stderr(), "{line}"));
     };
     // Without a handler Ctrl-C ends the program, which is well too.

@@ -14,10 +14,13 @@ use crate::output::Failure;
 
 fn main() -> ExitCode {
     output::report_panics_in_one_line();
-    let result = args::parse(std::env::args_os()).and_then(run);
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+    let work = || args::parse(std::env::args_os()).and_then(run);
+    // A panic has said its line by then. No file is half-written, since files are renamed into
+    // place, so nothing has to be mended before leaving.
+    match std::panic::catch_unwind(work) {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(failure)) => failure.report(),
+        Err(_panic) => ExitCode::FAILURE,
     }
 }
 

@@ -120,7 +120,7 @@ pub(crate) fn report_panics_in_one_line() {
 pub(crate) struct Console {
     json: bool,
     quiet: bool,
-    verbose: u8,
+    verbose: bool,
 }
 
 /// So many warnings are shown without `--verbose`.
@@ -134,7 +134,7 @@ impl Console {
 
     /// Whether more than the usual is asked for.
     pub(crate) fn is_verbose(&self) -> bool {
-        self.verbose > 0
+        self.verbose
     }
 
     /// The command's answer, as text for people or as one JSON document.
@@ -165,7 +165,7 @@ impl Console {
             return;
         }
         let found = warnings.as_slice();
-        let shown = if self.verbose > 0 { found.len() } else { found.len().min(MAX_WARNINGS) };
+        let shown = if self.verbose { found.len() } else { found.len().min(MAX_WARNINGS) };
         for warning in &found[..shown] {
             say(&format!("warning: {warning}"));
         }

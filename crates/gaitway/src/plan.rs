@@ -67,6 +67,14 @@ pub(crate) fn check_library_output(path: &Path) -> Result<(), FileError> {
     Err(FileError::new(path, what, "choose such a name, so that others know what it is"))
 }
 
+/// Fails where `path` cannot become a folder for results, before hours of searching for them.
+pub(crate) fn check_results_folder(path: &Path) -> Result<(), FileError> {
+    if path.exists() && !path.is_dir() {
+        return Err(FileError::new(path, "it is a file", "name a folder for the results"));
+    }
+    Ok(())
+}
+
 /// How many threads work is spread over.
 pub(crate) fn use_threads(n: Option<u16>) -> anyhow::Result<()> {
     let mut pool = rayon::ThreadPoolBuilder::new().thread_name(|nth| format!("worker-{nth}"));

@@ -41,6 +41,7 @@ pub(crate) fn solve_and_write(
     clocks: Clocks,
     mut warnings: Warnings,
 ) -> Result<(Report, Vec<PathBuf>), Failure> {
+    plan::check_results_folder(dir)?;
     let cancel = cancel_on_interrupt();
     let bar = console.bar();
     let on_progress = |what: &str, share| bar.set(what, share);

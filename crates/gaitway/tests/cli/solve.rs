@@ -90,6 +90,13 @@ fn the_command_line_overrides_the_project() {
 }
 
 #[test]
+fn results_need_a_folder() {
+    let dir = dir_with_library();
+    gaitway(&dir, "solve corner.gaitway -o corner.gaitway")
+        .refused("gaitway: corner.gaitway: it is a file; name a folder for the results");
+}
+
+#[test]
 fn a_folder_of_clips_is_a_library_too() {
     let dir = dir_with_library();
     let args = "solve corner.gaitway -o out --iterations 2 --library clips --json -q";

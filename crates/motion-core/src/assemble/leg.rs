@@ -141,8 +141,11 @@ fn bend_knee(pose: &LegPose, limb: TwoBone, ankle: Vec3) -> Bent {
     let (old, new) = (old_ankle.normalize_or_zero(), ankle.normalize_or_zero());
     let swing = Quat::from_rotation_arc(old, new);
     let aside = swing * (knee - old * knee.dot(old));
-    let straight = limb.solve(Vec3::ZERO, ankle, pose.thigh * Vec3::Z);
-    let new_aside_m = (straight.mid_m - new * straight.mid_m.dot(new)).length();
+    // Law of cosines: how far along the line the knee stands, and so how far aside.
+    let (thigh_sq, reach_m) = (knee.length_squared(), ankle.length().max(1e-6));
+    let shin_sq = (old_ankle - knee).length_squared();
+    let along_m = (reach_m * reach_m + thigh_sq - shin_sq) / (2.0 * reach_m);
+    let new_aside_m = (thigh_sq - along_m * along_m).max(0.0).sqrt();
     let more_m = (new_aside_m - aside.length()).max(0.0);
     let pole = aside + pose.thigh * Vec3::Z * more_m;
     Bent { swing, knee: limb.solve(Vec3::ZERO, ankle, pole).mid_m }

@@ -89,7 +89,7 @@ fn make(assembler: &Assembler<'_>, pieces: &[Piece], policies: Policies) -> Asse
     for error in &made.errors {
         assert!(error.position_m < 1e-3 && error.heading_rad.to_degrees() < 0.1, "{error:?}");
     }
-    assert_eq!(made.motion.n_frames(), n_frames);
+    assert_eq!(made.motion.n_frames(), n_frames, "corrections add no frames");
     made
 }
 

@@ -110,6 +110,24 @@ pub(super) fn clusters(island: &[Edge]) -> Vec<Vec<Edge>> {
     clusters
 }
 
+/// The line of points that are as near to one centre as to the other.
+struct Border {
+    across: DVec2,
+    at: f64,
+}
+
+impl Border {
+    fn between([first, second]: [DVec2; 2]) -> Self {
+        let across = second - first;
+        Self { across, at: 0.5 * across.dot(first + second) }
+    }
+
+    #[inline]
+    fn is_first(&self, p: DVec2) -> bool {
+        p.dot(self.across) <= self.at
+    }
+}
+
 /// Parts `edges` (at least two) in place into two groups by 2-means and returns where the
 /// second begins: never 0, never the end.
 pub(super) fn split_in_two(edges: &mut [Edge], scratch: &mut Vec<Edge>) -> usize {
@@ -120,33 +138,31 @@ pub(super) fn split_in_two(edges: &mut [Edge], scratch: &mut Vec<Edge>) -> usize
     let ellipse = Ellipse::of(edges);
     let reach = ellipse.major_axis * ellipse.major;
     let mut centres = [ellipse.mean - reach, ellipse.mean + reach];
-    let mut n_first = 0;
+    let total = ellipse.mean * edges.len() as f64;
+    let mut border = Border::between(centres);
     for _ in 0..MAX_ROUNDS {
-        let (mut sums, mut counts) = ([DVec2::ZERO; 2], [0usize; 2]);
+        let (mut sum, mut n) = (DVec2::ZERO, 0usize);
         for edge in &*edges {
             let p = point(edge);
-            let side = usize::from(centres[1].distance_squared(p) < centres[0].distance_squared(p));
-            sums[side] += p;
-            counts[side] += 1;
+            // Branch-free: the two halves are as good as random to a branch predictor.
+            let first = border.is_first(p);
+            sum += p * f64::from(u8::from(first));
+            n += usize::from(first);
         }
-        if counts[0] == 0 || counts[1] == 0 {
-            n_first = 0;
-            break;
+        if n == 0 || n == edges.len() {
+            return edges.len() / 2;
         }
-        let moved = [sums[0] / counts[0] as f64, sums[1] / counts[1] as f64];
+        let moved = [sum / n as f64, (total - sum) / (edges.len() - n) as f64];
         let settled = moved == centres;
         centres = moved;
-        n_first = counts[0];
+        border = Border::between(centres);
         if settled {
             break;
         }
     }
-    let is_first = |edge: &Edge| {
-        let p = point(edge);
-        centres[0].distance_squared(p) <= centres[1].distance_squared(p)
-    };
-    let agreeing = edges.iter().filter(|edge| is_first(edge)).count();
-    if n_first == 0 || agreeing == 0 || agreeing == edges.len() {
+    let is_first = |edge: &Edge| border.is_first(point(edge));
+    let n_first = edges.iter().filter(|edge| is_first(edge)).count();
+    if n_first == 0 || n_first == edges.len() {
         return edges.len() / 2;
     }
     // A stable partition, so that the order within each half does not depend on anything else.

@@ -6,6 +6,8 @@
 //!
 //! Memory: a block of [`BLOCK`]² products per thread, and the pairs that are kept.
 
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+
 use rayon::prelude::*;
 
 use super::features::FeatureSet;
@@ -79,12 +81,10 @@ impl<'a> Blocks<'a> {
     }
 }
 
-/// What one block row has found.
-struct BlockNearest {
-    /// For each of its rows, the nearest row of another clip; `u32::MAX` without any.
-    rows: Vec<u32>,
-    /// Clips and the least cost between them, of this block's rows.
-    pairs: Vec<(u32, u32, f32)>,
+/// A cost and the row that it leads to in one number: least is least whoever writes first, so
+/// threads may share it without a result depending on them.
+fn packed(cost: f32, row: usize) -> u64 {
+    (u64::from(cost.max(0.0).to_bits()) << 32) | row as u64
 }
 
 /// The nearest row in another clip for each row, and the nearest pair for each two clips.
@@ -93,87 +93,94 @@ struct BlockNearest {
 /// nearest; those of [`Nearest::clip_pair`] are the screen's own, within 1e-4 of τ-sized costs.
 pub fn nearest(features: &FeatureSet, cancel: &CancelToken) -> Result<Nearest, Cancelled> {
     let blocks = Blocks::new(features);
-    let n_rows = features.n_rows();
     let n_clips = features.frame_starts.len() - 1;
-    // One task per block row: it sees every column, so no merging of rows between tasks.
-    let per_block: Vec<BlockNearest> = (0..blocks.n_blocks())
-        .into_par_iter()
-        .map(|a| {
-            let rows = blocks.range(a);
-            let mut best = vec![f32::INFINITY; rows.len()];
-            let mut best_row = vec![u32::MAX; rows.len()];
-            let first_clip = blocks.clip_of_row[rows.start] as usize;
-            let last_clip = blocks.clip_of_row[rows.end - 1] as usize;
-            let mut pair = vec![f32::INFINITY; (last_clip - first_clip + 1) * n_clips];
-            let mut products = Vec::new();
-            for b in 0..blocks.n_blocks() {
-                if cancel.is_cancelled() {
-                    break;
-                }
-                blocks.products(a, b, &mut products);
-                let columns = blocks.range(b);
-                for (i, row) in rows.clone().enumerate() {
-                    let line = &products[i * columns.len()..(i + 1) * columns.len()];
-                    let clip = blocks.clip_of_row[row];
-                    let mut at = columns.start;
-                    // Runs of columns of one clip: a branch-free minimum within each.
-                    while at < columns.end {
-                        let other = blocks.clip_of_row[at];
-                        let end = features.frame_starts[other as usize + 1].min(columns.end);
-                        let run = at..end;
-                        at = end;
-                        if other == clip {
-                            continue;
-                        }
-                        let dots = &line[run.start - columns.start..run.end - columns.start];
-                        let norms = &blocks.norms[run.clone()];
-                        let least = least_shifted(dots, norms);
-                        let cost = least + blocks.norms[row];
-                        let slot =
-                            &mut pair[(clip as usize - first_clip) * n_clips + other as usize];
-                        *slot = slot.min(cost);
-                        if cost < best[i] {
-                            best[i] = cost;
-                            let offset = dots
-                                .iter()
-                                .zip(norms)
-                                .position(|(d, n)| n - 2.0 * d == least)
-                                .unwrap_or(0);
-                            best_row[i] = (run.start + offset) as u32;
-                        }
-                    }
-                }
+    let nothing = packed(f32::INFINITY, u32::MAX as usize);
+    let best: Vec<AtomicU64> = (0..features.n_rows()).map(|_| AtomicU64::new(nothing)).collect();
+    let clip_pair: Vec<AtomicU32> =
+        (0..n_clips * n_clips).map(|_| AtomicU32::new(f32::INFINITY.to_bits())).collect();
+    // The products are symmetric: a block serves its rows and its columns.
+    (0..blocks.n_blocks()).into_par_iter().with_max_len(1).for_each(|a| {
+        let mut products = Vec::new();
+        for b in a..blocks.n_blocks() {
+            if cancel.is_cancelled() {
+                break;
             }
-            let mut pairs = Vec::new();
-            for (slot, &cost) in pair.iter().enumerate() {
-                if cost.is_finite() {
-                    let clip = (first_clip + slot / n_clips) as u32;
-                    pairs.push((clip, (slot % n_clips) as u32, cost.max(0.0)));
-                }
-            }
-            BlockNearest { rows: best_row, pairs }
-        })
-        .collect();
+            blocks.products(a, b, &mut products);
+            nearest_in_block(&blocks, (a, b), &products, &best, &clip_pair);
+        }
+    });
     if cancel.is_cancelled() {
         return Err(Cancelled);
     }
-    let mut clip_pair = vec![f32::INFINITY; n_clips * n_clips];
-    let mut other_clip = Vec::with_capacity(n_rows);
-    for BlockNearest { rows, pairs } in per_block {
-        for row in rows {
-            let this = other_clip.len();
-            other_clip.push(if row == u32::MAX {
-                f64::INFINITY
-            } else {
-                features.cost(this, row as usize)
-            });
+    let other_clip = best
+        .par_iter()
+        .enumerate()
+        .map(|(row, best)| match best.load(Ordering::Relaxed) {
+            best if best == nothing => f64::INFINITY,
+            best => features.cost(row, (best & u64::from(u32::MAX)) as usize),
+        })
+        .collect();
+    let clip_pair = clip_pair.into_iter().map(|bits| f32::from_bits(bits.into_inner())).collect();
+    Ok(Nearest { other_clip, clip_pair })
+}
+
+fn nearest_in_block(
+    blocks: &Blocks<'_>,
+    (a, b): (usize, usize),
+    products: &[f32],
+    best: &[AtomicU64],
+    clip_pair: &[AtomicU32],
+) {
+    let frame_starts = &blocks.features.frame_starts;
+    let n_clips = frame_starts.len() - 1;
+    let columns = blocks.range(b);
+    let mut column_best = vec![f32::INFINITY; columns.len()];
+    let mut column_row = vec![0u32; columns.len()];
+    for (i, row) in blocks.range(a).enumerate() {
+        let line = &products[i * columns.len()..(i + 1) * columns.len()];
+        let clip = blocks.clip_of_row[row] as usize;
+        let norm = blocks.norms[row];
+        let mut row_best = (f32::INFINITY, 0);
+        let mut at = columns.start;
+        // Runs of columns of one clip: a branch-free minimum within each.
+        while at < columns.end {
+            let other = blocks.clip_of_row[at] as usize;
+            let run = at..frame_starts[other + 1].min(columns.end);
+            at = run.end;
+            if other == clip {
+                continue;
+            }
+            let local = run.start - columns.start..run.end - columns.start;
+            let (dots, norms) = (&line[local.clone()], &blocks.norms[run.clone()]);
+            let least = least_shifted(dots, norms);
+            let cost = (least + norm).max(0.0);
+            for slot in [clip * n_clips + other, other * n_clips + clip] {
+                clip_pair[slot].fetch_min(cost.to_bits(), Ordering::Relaxed);
+            }
+            if cost < row_best.0 {
+                let there = dots.iter().zip(norms).position(|(d, n)| n - 2.0 * d == least);
+                row_best = (cost, run.start + there.unwrap_or(0));
+            }
+            let column_best = &mut column_best[local.clone()];
+            let column_row = &mut column_row[local];
+            for ((best, of), &dot) in column_best.iter_mut().zip(column_row).zip(dots) {
+                let shifted = norm - 2.0 * dot;
+                let closer = shifted < *best;
+                *best = if closer { shifted } else { *best };
+                *of = if closer { row as u32 } else { *of };
+            }
         }
-        for (a, b, cost) in pairs {
-            let slot = &mut clip_pair[a as usize * n_clips + b as usize];
-            *slot = slot.min(cost);
+        if row_best.0.is_finite() {
+            best[row].fetch_min(packed(row_best.0, row_best.1), Ordering::Relaxed);
         }
     }
-    Ok(Nearest { other_clip, clip_pair })
+    for (local, column) in columns.enumerate() {
+        if column_best[local].is_finite() {
+            let cost = column_best[local] + blocks.norms[column];
+            let found = packed(cost, column_row[local] as usize);
+            best[column].fetch_min(found, Ordering::Relaxed);
+        }
+    }
 }
 
 /// The least `norm − 2 · dot`, in eight lanes so that the compiler can use vector registers.

@@ -92,7 +92,7 @@ impl Line {
         Stepped { line: Self { number: self.number, route }, minimum, counts }
     }
 
-    /// A fresh start: half of the lines from seeds, half from known minima with a stretch
+    /// A fresh start: a quarter of the lines from seeds, the others from known minima with a stretch
     /// replaced, once there are any.
     fn start(
         &self,
@@ -102,7 +102,7 @@ impl Line {
         pace: &Pace<'_>,
         rng: &mut Pcg64Mcg,
     ) -> Option<Route> {
-        let near_elite = self.number % 2 == 1 && !pace.elite.is_empty();
+        let near_elite = self.number % 4 != 0 && !pace.elite.is_empty();
         let mut best: Option<Route> = None;
         for _ in 0..SEEDS_PER_START {
             let seed = if near_elite {

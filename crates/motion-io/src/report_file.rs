@@ -177,6 +177,9 @@ pub struct QualityReport {
     /// Mean speed while the source clips say that the foot is planted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub foot_slide_carried_cm_per_s: Option<f64>,
+    /// Foot slide of the source clips themselves, to judge the motion's by.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source_foot_slide_cm_per_s: Option<f64>,
     /// How deep a sole sinks below its support.
     pub ground_penetration_max_cm: Option<f64>,
     /// How far a planted sole floats above its support.

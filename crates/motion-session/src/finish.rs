@@ -10,7 +10,7 @@ use motion_io::report_file::{AlternativeReport, ConstraintReport, PieceReport, S
 
 use crate::Library;
 use crate::problem::CharacterProblem;
-use crate::quality::quality_report;
+use crate::quality::{quality_report, source_foot_slide_cm_per_s};
 use crate::solve_job::Alternative;
 
 /// A motion for one character.
@@ -47,9 +47,11 @@ pub fn finish(
         frame: start.0,
         level: graph.forest.level(cut),
         leaf: graph.forest.is_leaf(cut),
-        cost: f64::from(graph.forest.edge(cut).cost),
+        cost: digits_of(graph.forest.edge(cut).cost),
         bridge: graph.forest.is_bridge(cut),
     });
+    let sources = pieces.iter().map(|piece| piece.clip);
+    let source_slide = source_foot_slide_cm_per_s(clips, sources);
     let pieces = pieces.iter().map(|piece| PieceReport {
         clip: clips.clip(piece.clip).id.clone(),
         from: piece.from.0,
@@ -57,15 +59,17 @@ pub fn finish(
     });
     let support = Support::of_assembled(&made, assembler.soles());
     let quality = measure(clips.skeleton(), &made.motion, Some(&support));
+    let mut quality = quality_report(&quality);
+    quality.source_foot_slide_cm_per_s = source_slide;
     let terms = judgement.terms;
     let report = AlternativeReport {
         rank,
-        score: f64::from(terms.total()),
+        score: digits_of(terms.total()),
         terms: Terms {
-            continuity: f64::from(terms.continuity),
-            length: f64::from(terms.length),
-            body: f64::from(terms.body),
-            environment: f64::from(terms.environment),
+            continuity: digits_of(terms.continuity),
+            length: digits_of(terms.length),
+            body: digits_of(terms.body),
+            environment: digits_of(terms.environment),
             ..Terms::default()
         },
         frames: judgement.n_frames,
@@ -73,11 +77,17 @@ pub fn finish(
         seams: seams.collect(),
         raw: constraint_reports(character, &judgement.body),
         final_: constraint_reports(character, &final_errors(character, &made)),
-        quality: Some(quality_report(&quality)),
+        quality: Some(quality),
         found_at_s: Some(alternative.found_at_s),
         files: Vec::new(),
     };
     Some(Finished { motion: made.motion, report })
+}
+
+/// The number as people write it: 0.1, where f64 would show what f32 makes of it
+/// (0.10000000149).
+pub(crate) fn digits_of(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
 /// The frame at which the body constraint `nth` is read in a motion of `n_frames`: its own, but
@@ -127,8 +137,8 @@ fn constraint_reports(character: &CharacterProblem, errors: &[BodyError]) -> Vec
         .map(|(id, error)| ConstraintReport {
             constraint: id.clone(),
             kind: "body".to_owned(),
-            position_error_m: Some(f64::from(error.position_m)),
-            heading_error_deg: Some(f64::from(error.heading_rad).to_degrees()),
+            position_error_m: Some(digits_of(error.position_m)),
+            heading_error_deg: Some(digits_of(error.heading_rad.to_degrees())),
             frame_error: Some(i64::from(error.frames)),
         })
         .collect()

@@ -19,7 +19,7 @@ use motion_io::report_file::{
 use crate::Library;
 use crate::budget::Budget;
 use crate::error::JobError;
-use crate::finish::finish;
+use crate::finish::{digits_of, finish};
 use crate::library_job::{GraphChoices, OnProgress};
 use crate::library_source::{LibraryChoice, resolve};
 use crate::problem::{left_out_of_project, problem_of};
@@ -229,7 +229,7 @@ fn trace(found: &Found) -> Vec<TracePoint> {
     let point = |point: &crate::solve_job::TracePoint| TracePoint {
         s: Some(point.s),
         iteration: point.iteration,
-        best: f64::from(point.best),
+        best: digits_of(point.best),
         alternatives: point.n_alternatives as u32,
     };
     found.trace.iter().map(point).collect()

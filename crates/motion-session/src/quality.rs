@@ -1,6 +1,10 @@
 //! Quality figures in the units of files.
 
-use motion_core::measure::{Quality, measure};
+use std::collections::BTreeSet;
+
+use motion_core::clip::ClipSet;
+use motion_core::ids::ClipId;
+use motion_core::measure::{Quality, feet, measure};
 use motion_core::motion::Motion;
 use motion_core::skeleton::Skeleton;
 use motion_io::report_file::{MeasureReport, QualityReport};
@@ -24,6 +28,7 @@ pub fn quality_report(quality: &Quality) -> QualityReport {
         foot_slide_cm_per_s: quality.slide.map(|slide| cm(slide.mean_m_s)),
         foot_slide_max_cm: quality.slide.map(|slide| cm(slide.max_drift_m)),
         foot_slide_carried_cm_per_s: quality.carried_slide.map(|slide| cm(slide.mean_m_s)),
+        source_foot_slide_cm_per_s: None,
         ground_penetration_max_cm: quality.penetration_max_m.map(cm),
         float_max_cm: quality.float_max_m.map(cm),
         skate_ratio: skate.map(|skate| shown(skate.ratio)),
@@ -36,6 +41,25 @@ pub fn quality_report(quality: &Quality) -> QualityReport {
         travel_m: shown(quality.travel_m),
         turn_deg: shown(quality.turn_rad.to_degrees()),
     }
+}
+
+/// Foot slide of whole clips by the plain rule, a mean over all their planted frames: no capture
+/// is free of it, and a motion made of captures cannot be judged without.
+pub fn source_foot_slide_cm_per_s(
+    clips: &ClipSet,
+    sources: impl IntoIterator<Item = ClipId>,
+) -> Option<f64> {
+    let distinct: BTreeSet<ClipId> = sources.into_iter().collect();
+    let (mut sum_m_s, mut n_steps) = (0.0, 0.0);
+    for id in distinct {
+        let motion = &clips.clip(id).motion;
+        let toes = feet::toe_paths_m(clips.skeleton(), motion);
+        if let Some(slide) = feet::slide(&toes, motion.fps()) {
+            sum_m_s += slide.mean_m_s * slide.n_steps as f32;
+            n_steps += slide.n_steps as f32;
+        }
+    }
+    (n_steps > 0.0).then(|| shown(100.0 * sum_m_s / n_steps))
 }
 
 /// Measures a motion of any origin; its support is found from its own plants.

@@ -118,6 +118,18 @@ mod tests {
     }
 
     #[test]
+    fn one_frame_of_one_joint_is_measured_too() {
+        use crate::testing::joint;
+        let dot = Skeleton::new(vec![joint("dot", None, [0.0; 3])]).expect("one joint");
+        let at = vec![glam::Vec3::Y];
+        let motion =
+            Motion::new(Fps::THIRTY, 1, at, vec![glam::Quat::IDENTITY]).expect("one frame");
+        let quality = measure(&dot, &motion, None);
+        assert_eq!((quality.slide, quality.skate, quality.penetration_max_m), (None, None, None));
+        assert_eq!((quality.travel_m, quality.joint_jerk_p99_m_s3), (0.0, 0.0));
+    }
+
+    #[test]
     fn every_definition_has_a_name_of_its_own() {
         let mut names: Vec<&str> = DEFINITIONS.iter().map(|(name, _)| *name).collect();
         names.sort_unstable();

@@ -203,15 +203,23 @@ impl<'a> Evaluator<'a> {
         let usable = |pair: &PairView<'_>, id: EdgeId| bridges || id.0 < pair.first_bridge;
         let landings = Landings::new(library, tables, self.allowed.len(), usable);
         for (keep, head) in tables.spans.iter().enumerate() {
-            let resumes: Vec<usize> = (0..tables.spans.len()).filter(|_| pick()).collect();
+            // The pieces to come back to, each with the numbers of frames that may still do.
+            let continuity = self.target.weights.continuity;
+            let resumes: Vec<(usize, (i64, i64))> = (0..tables.spans.len())
+                .filter(|_| pick())
+                .map(|resume| {
+                    let cuts = head.span.cuts_before + tables.spans[resume].cuts_after;
+                    let budget = self.best.limit() - continuity * cuts;
+                    (resume, self.target.frames_window(budget))
+                })
+                .collect();
             if resumes.is_empty() {
                 continue;
             }
             let out = library.out(head.span.clip);
             let first = out.partition_point(|(_, cut)| cut.from <= head.span.from);
             for &(middle, cut) in &out[first..] {
-                let so_far =
-                    head.head_cost[cut.from as usize] + self.target.weights.continuity * cut.cost;
+                let so_far = head.head_cost[cut.from as usize] + continuity * cut.cost;
                 let usable = self.allowed[middle.idx()]
                     && so_far < self.best.limit()
                     && (bridges || !forest.is_bridge(cut.id));
@@ -227,8 +235,17 @@ impl<'a> Evaluator<'a> {
                     world_from_clip: at_out.torso * torsos[cut.to as usize].inverse(),
                     head: at_out,
                 };
-                for &resume in &resumes {
-                    self.land(&landings, &way, resume);
+                // At least a frame of the other clip is shown, at most the rest of it.
+                let shortest = i64::from(at_out.frames) + 1;
+                let longest = i64::from(at_out.frames) + torsos.len() as i64 - i64::from(cut.to);
+                for &(resume, window) in &resumes {
+                    let tail = &tables.spans[resume];
+                    let rest = tail.frames_from_zero;
+                    let within = shortest + rest - i64::from(tail.span.to) < window.1
+                        && longest + rest >= window.0;
+                    if within {
+                        self.land(&landings, &way, resume);
+                    }
                 }
             }
         }

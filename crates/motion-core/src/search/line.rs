@@ -30,6 +30,9 @@ const SLACK: &[i64] = &[0];
 /// One in so many pieces to come back to, and of ways out, is drawn when detours are sampled.
 const DETOUR_SAMPLE: u32 = 3;
 
+/// Above this score a path has so many improvements that half the sample finds one.
+const ROUGH_SCORE: f32 = 3.0;
+
 /// Once so many alternatives are known, a line that has become slow above the last of them is
 /// given up instead of being followed to its minimum.
 const N_TO_BEAT: usize = 10;
@@ -155,7 +158,8 @@ fn descend(
         evaluator.new_ends(SLACK);
     }
     if brings_little(&evaluator) {
-        evaluator.detours(|| rng.random_range(0..DETOUR_SAMPLE) == 0);
+        let one_in = if route.score > ROUGH_SCORE { 2 * DETOUR_SAMPLE } else { DETOUR_SAMPLE };
+        evaluator.detours(|| rng.random_range(0..one_in) == 0);
     }
     let hopeless = route.score > to_beat;
     if evaluator.best.least().is_none() && !hopeless {

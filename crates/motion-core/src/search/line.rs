@@ -105,7 +105,7 @@ impl Line {
         pace: &Pace<'_>,
         rng: &mut Pcg64Mcg,
     ) -> Option<Route> {
-        let near_elite = self.number % 4 != 0 && !pace.elite.is_empty();
+        let near_elite = !self.number.is_multiple_of(4) && !pace.elite.is_empty();
         let mut best: Option<Route> = None;
         for _ in 0..SEEDS_PER_START {
             let seed = if near_elite {

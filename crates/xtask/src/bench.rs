@@ -1,4 +1,6 @@
 //! `cargo xtask bench`: every benchmark, and one table of what they measured.
+//!
+//! Figures that are no time per run (candidates per second) are printed by the benchmarks themselves.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +11,7 @@ use crate::step::{cargo, root};
 
 /// Runs the benchmarks and prints name, median and spread of each.
 pub(crate) fn run(args: &[String]) -> anyhow::Result<()> {
-    let mut command = cargo(&["bench", "--workspace", "--benches"]);
+    let mut command = cargo(&["bench", "--workspace", "--bench", "*"]);
     let status = command.args(args).status().context("cannot start cargo bench")?;
     ensure!(status.success(), "a benchmark failed");
     let target = std::env::var_os("CARGO_TARGET_DIR")

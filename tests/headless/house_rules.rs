@@ -96,3 +96,18 @@ fn every_crate_introduces_itself() {
         assert!(text.trim().lines().count() >= 3, "{dir}/README.md says what the crate is for");
     }
 }
+
+/// Comments send readers to `docs/…`; the page must be there.
+#[test]
+fn pages_that_are_named_exist() {
+    for (at, line) in lines(&source_files(&["rs", "md", "toml"])) {
+        for (start, _) in line.match_indices("docs/") {
+            let name: String = line[start..]
+                .chars()
+                .take_while(|c| c.is_ascii_alphanumeric() || "/_-.".contains(*c))
+                .collect();
+            let is_page = name.ends_with(".md");
+            assert!(!is_page || workspace_root().join(&name).is_file(), "{at}: there is no {name}");
+        }
+    }
+}

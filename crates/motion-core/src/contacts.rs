@@ -6,7 +6,7 @@
 //!   its own support, so that steps and stools count; [`crate::floor`] decides which of them are
 //!   plants and what they stand on.
 //! * [`planted_on_lowest`] is the plain rule by which motions of any origin are judged
-//!   (`docs/contract.md`, `measure`): the support is the foot's own lowest level.
+//!   (`docs/files.md`, `measure`): the support is the foot's own lowest level.
 
 use std::ops::Range;
 

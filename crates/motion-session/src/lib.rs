@@ -22,3 +22,6 @@ pub mod unmet;
 
 pub use error::JobError;
 pub use library::Library;
+
+#[cfg(test)]
+mod fixture;

@@ -201,3 +201,80 @@ fn patterns(patterns: &[String], project_path: &Path) -> Result<GlobSet, FileErr
     }
     set.build().map_err(bad)
 }
+
+#[cfg(test)]
+mod tests {
+    use motion_io::diagnostic::Warnings;
+
+    use super::*;
+    use crate::fixture::library;
+
+    /// The problem of the first character of a project with these keys.
+    fn problem(keys: &str, constraints: &str) -> Result<CharacterProblem, FileError> {
+        let text = format!(
+            "{{\"gaitway\": 1, \"name\": \"p\", \"fps\": 30, \"library\": \"builtin\", {keys}
+              \"characters\": [{{\"name\": \"A\", \"constraints\": [{constraints}]}}]}}"
+        );
+        let path = Path::new("p.gaitway");
+        let project = project_file::read(text.as_bytes(), path, &mut Warnings::new())?;
+        problem_of(&project, &project.characters[0], &library(), true, path)
+    }
+
+    fn names_in_use(problem: &CharacterProblem) -> Vec<String> {
+        let library = library();
+        let clips = library.clips.clips().iter().zip(&problem.problem.allowed_clips);
+        clips.filter(|(_, allowed)| **allowed).map(|(clip, _)| clip.id.clone()).collect()
+    }
+
+    #[test]
+    fn a_palette_is_patterns_and_tags_and_has_mirror_images_along() {
+        for (palette, expected) in [
+            ("{\"include\": [\"walk*\"]}", "walk walk_late walk@mirror walk_late@mirror"),
+            ("{\"include\": [\"WALK\"]}", "walk walk@mirror"),
+            ("{\"include\": [\"????\"], \"exclude\": [\"*@mirror\"]}", "left slow walk"),
+            ("{\"exclude\": [\"walk*\", \"left\"]}", "right slow right@mirror slow@mirror"),
+            ("{\"tags\": [\"late\"]}", "walk_late walk_late@mirror"),
+        ] {
+            let found = problem(&format!("\"palette\": {palette},"), "").unwrap();
+            assert_eq!(names_in_use(&found).join(" "), expected, "{palette}");
+        }
+    }
+
+    #[test]
+    fn constraints_come_in_the_order_of_their_frames_under_their_ids() {
+        let found = problem(
+            "",
+            "{\"id\": \"b\", \"kind\": \"body\", \"frame\": 50, \"position\": [0, 4], \"heading\": 90},
+             {\"id\": \"a\", \"kind\": \"body\", \"frame\": 10, \"position\": [0, 0], \"heading\": -90}",
+        );
+        let found = found.unwrap();
+        assert_eq!(found.body_ids, ["a", "b"]);
+        let headings: Vec<f32> =
+            found.problem.wishes.body.iter().map(|wish| wish.heading_rad.to_degrees()).collect();
+        assert_eq!(headings, [-90.0, 90.0], "degrees become radians");
+        assert_eq!(found.left_out, [""; 0]);
+    }
+
+    #[test]
+    fn an_open_heading_is_that_of_the_way() {
+        let found = problem(
+            "",
+            "{\"id\": \"a\", \"kind\": \"body\", \"frame\": 0, \"position\": [0, 0]},
+             {\"id\": \"b\", \"kind\": \"body\", \"frame\": 60, \"position\": [3, 0]}",
+        );
+        let found = found.unwrap();
+        let body = &found.problem.wishes.body;
+        assert!(body.iter().all(|wish| (wish.heading_rad.to_degrees() - 90.0).abs() < 1e-3));
+        assert_eq!(
+            found.left_out[1],
+            "body constraint \"b\" leaves its heading open; the direction of the way was taken, 90°"
+        );
+    }
+
+    #[test]
+    fn weights_reach_the_search() {
+        let found = problem("\"search\": {\"weights\": {\"body\": 2, \"joint\": 3}},", "").unwrap();
+        assert_eq!(found.problem.wishes.weights.body, 2.0);
+        assert_eq!(found.left_out, ["the weight \"joint\" was not considered"]);
+    }
+}

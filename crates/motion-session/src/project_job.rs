@@ -188,14 +188,29 @@ fn load(
         let what_to_do = "build the library again with --fps, or change the project";
         return Err(FileError::new(*path, what, what_to_do).into());
     }
-    let known = project.hashes.as_ref().and_then(|hashes| hashes.library.as_ref());
-    if let (Some(known), Some(hash)) = (known, &library.hash)
+    warn_of_changes(project, path, &library, warnings);
+    let search = SearchLibrary::new(Arc::clone(&library.clips), Arc::clone(&library.graph));
+    Ok((library, Arc::new(search)))
+}
+
+/// Says where the library or a clip is not what the project was made with.
+fn warn_of_changes(project: &Project, path: &Path, library: &Library, warnings: &mut Warnings) {
+    let Some(hashes) = &project.hashes else { return };
+    if let (Some(known), Some(hash)) = (&hashes.library, library.hash)
         && *known != hash.to_string()
     {
         warnings.warn(path, None, "the library has changed since the project was saved");
     }
-    let search = SearchLibrary::new(Arc::clone(&library.clips), Arc::clone(&library.graph));
-    Ok((library, Arc::new(search)))
+    for (id, known) in &hashes.clips {
+        let what = match library.clips.by_id(id) {
+            None => "is not in the library any more",
+            Some(clip) if library.content_hashes[clip.idx()].to_string() != *known => {
+                "has changed since the project was saved"
+            }
+            Some(_) => continue,
+        };
+        warnings.warn(path, None, format!("clip {id:?} {what}"));
+    }
 }
 
 fn library_figures(library: &Library, allowed: &[bool], bridges: bool) -> LibraryFigures {

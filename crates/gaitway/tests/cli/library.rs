@@ -145,3 +145,26 @@ fn two_clips_of_one_name_are_refused_with_both_paths() {
          rename one of the files",
     );
 }
+
+#[test]
+fn folders_below_rates_and_copies() {
+    let dir = dir_with_clips();
+    let walk = motion_tests::walker::Walk::default();
+    dir.file("clips/below/jog.bvh", motion_tests::walker::Walk { speed_m_s: 1.9, ..walk }.bvh());
+    let copy = std::fs::read(dir.join("clips/walk.bvh")).unwrap();
+    dir.file("clips/copy.bvh", copy);
+    let ids = |args: &str| {
+        let ran = gaitway(&dir, &format!("library build clips -o x.gwlib {args}")).ok();
+        let info = json(&gaitway(&dir, "library info x.gwlib --json").ok().stdout);
+        let list = info["clip_list"].as_array().unwrap().clone();
+        let ids: Vec<String> =
+            list.iter().map(|clip| clip["id"].as_str().unwrap().to_owned()).collect();
+        (ids.join(" "), info["frames"].as_u64().unwrap(), ran.stderr)
+    };
+    let (plain, frames, said) = ids("");
+    assert_eq!(plain, "copy left right slow walk_late", "the files in the folder, not below");
+    assert!(said.contains("walk.bvh: the same as clips/copy.bvh, imported once"), "{said}");
+    assert!(ids("--recursive").0.contains("jog"), "and below where that is asked for");
+    let half = ids("--fps 15").1;
+    assert!((2 * half).abs_diff(frames) <= 10, "{half} frames at half the rate of {frames}");
+}

@@ -90,6 +90,20 @@ fn the_command_line_overrides_the_project() {
 }
 
 #[test]
+fn what_has_changed_since_the_project_was_saved_is_said() {
+    let dir = dir_with_library();
+    let hashes = r#""hashes": {"library": "00", "clips": {"walk": "00", "gone": "00"}},"#;
+    dir.file("old.gaitway", CORNER.replace("\"characters\"", &format!("{hashes} \"characters\"")));
+    let said = gaitway(&dir, "solve old.gaitway -o out --iterations 1").ok().stderr;
+    let expected = [
+        "gaitway: warning: old.gaitway: the library has changed since the project was saved",
+        "gaitway: warning: old.gaitway: clip \"walk\" has changed since the project was saved",
+        "gaitway: warning: old.gaitway: clip \"gone\" is not in the library any more",
+    ];
+    assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+}
+
+#[test]
 fn results_need_a_folder() {
     let dir = dir_with_library();
     gaitway(&dir, "solve corner.gaitway -o corner.gaitway")

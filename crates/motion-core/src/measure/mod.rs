@@ -1,4 +1,4 @@
-//! How good a motion is: the figures of `measure` (`docs/contract.md`), one function each.
+//! How good a motion is: the figures of `measure` (`docs/files.md`), one function each.
 //!
 //! Everything is in metres, seconds and radians here; files and the command line show
 //! centimetres and degrees. A figure that a motion has no occasion for (slide without plants) is

@@ -130,10 +130,12 @@ fn the_best_reconnection_and_detour_are_those_of_a_loop_over_all() {
         let tables = Tables::new(&library, &target, &route);
         let n = route.spans.len();
         let mut least = [f32::INFINITY; 2];
+        let mut n_paths = 0;
         let mut consider = |kind: usize, mutation: Mutation| {
             let path = mutation.apply(&route.path, forest);
             if let Some(new) = Route::new(&library, &target, path) {
                 least[kind] = least[kind].min(new.score);
+                n_paths += 1;
             }
         };
         for keep in 0..n {
@@ -166,6 +168,16 @@ fn the_best_reconnection_and_detour_are_those_of_a_loop_over_all() {
                 least[kind]
             );
         }
+        let problem = Problem {
+            wishes: wishes(0, LengthMode::Preferred),
+            allowed_clips: all.clone(),
+            bridges: true,
+        };
+        let search = Search::new(Arc::clone(&library), problem, 0).expect("a problem");
+        let whole = search.score_neighbourhood(&route.path).expect("a valid path");
+        assert_eq!(whole.counts.scored, n_paths, "with no limit, every candidate is scored");
+        let expected = least[0].min(least[1]);
+        assert!((whole.least - expected).abs() <= 1e-3 * expected + 2e-3, "{whole:?} {expected}");
     }
 }
 

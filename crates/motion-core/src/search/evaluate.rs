@@ -13,7 +13,7 @@ use super::problem::Target;
 use super::route::Route;
 use super::tables::{SpanTable, Tables};
 use crate::constraint::environment::Sums;
-use crate::graph::EdgeId;
+use crate::graph::{EdgeId, Forest};
 use crate::ids::ClipId;
 use crate::planar::PlanarTransform;
 use crate::units::FrameIdx;
@@ -50,11 +50,17 @@ pub(crate) struct Best {
     kept: Vec<(StructureKey, Candidate)>,
     n_max: usize,
     ceiling: f32,
+    least: f32,
 }
 
 impl Best {
     pub(crate) fn new(n_max: usize, ceiling: f32) -> Self {
-        Self { kept: Vec::with_capacity(n_max + 1), n_max, ceiling }
+        Self { kept: Vec::with_capacity(n_max + 1), n_max, ceiling, least: f32::INFINITY }
+    }
+
+    /// Remembers the least score alone, so that no candidate is ever dropped for being no better.
+    pub(crate) fn of_all() -> Self {
+        Self::new(0, f32::INFINITY)
     }
 
     /// Candidates that do not score below this are of no interest.
@@ -66,7 +72,12 @@ impl Best {
         self.kept.last().map_or(self.ceiling, |(_, c)| c.score)
     }
 
-    fn offer(&mut self, key: StructureKey, candidate: Candidate) {
+    fn offer(&mut self, forest: &Forest, candidate: Candidate) {
+        self.least = self.least.min(candidate.score);
+        if self.n_max == 0 {
+            return;
+        }
+        let key = candidate.mutation.structure(forest);
         if let Some(same) = self.kept.iter().position(|(k, _)| *k == key) {
             if self.kept[same].1.score <= candidate.score {
                 return;
@@ -78,9 +89,9 @@ impl Best {
         self.kept.truncate(self.n_max);
     }
 
-    /// The best score kept.
+    /// The best score offered.
     pub(crate) fn least(&self) -> Option<f32> {
-        self.kept.first().map(|(_, c)| c.score)
+        self.least.is_finite().then_some(self.least)
     }
 
     /// The candidates, best first.
@@ -459,8 +470,7 @@ impl<'a> Evaluator<'a> {
     fn keep(&mut self, mutation: Mutation, score: f32) {
         self.counts.scored += 1;
         if score < self.best.limit() {
-            let key = mutation.structure(&self.library.graph().forest);
-            self.best.offer(key, Candidate { mutation, score });
+            self.best.offer(&self.library.graph().forest, Candidate { mutation, score });
         }
     }
 

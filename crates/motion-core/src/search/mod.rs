@@ -12,6 +12,7 @@ mod landing;
 mod library;
 mod line;
 mod mutation;
+mod neighbourhood;
 mod problem;
 mod rng;
 mod route;
@@ -28,6 +29,7 @@ use rayon::prelude::*;
 pub use alternatives::DISTINCT_M;
 pub use evaluate::ScoreCounts;
 pub use library::SearchLibrary;
+pub use neighbourhood::Neighbourhood;
 pub use problem::{Problem, ProblemError};
 
 use crate::cancel::CancelToken;

@@ -63,7 +63,10 @@ fn tests_and_tasks_are_not_depended_on() {
     for dir in crate_dirs() {
         for (kind, name) in dependencies(&dir) {
             assert_ne!(name, "xtask", "{dir} depends on xtask");
-            let test_helper_in_product = name == "motion-tests" && kind != Kind::Dev;
+            assert_ne!(name, "motion-bench", "{dir} depends on benchmarks");
+            // Benchmarks are no product either; they look for the same clips.
+            let product = dir != "crates/motion-bench";
+            let test_helper_in_product = name == "motion-tests" && kind != Kind::Dev && product;
             assert!(!test_helper_in_product, "{dir} ships motion-tests");
         }
     }

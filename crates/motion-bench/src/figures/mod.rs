@@ -1,0 +1,80 @@
+//! One figure of the table a file.
+
+mod alternatives;
+mod assembly;
+pub(crate) mod build;
+mod candidates;
+mod correction;
+mod first_acceptable;
+mod leaf_edges;
+mod load;
+mod plain_features;
+mod quantile;
+mod runs;
+mod score;
+mod seams;
+
+use std::sync::Arc;
+
+use motion_bench::clips::{Source, build as build_library, search_library};
+use motion_core::search::SearchLibrary;
+
+use crate::effort::Effort;
+use crate::table::Row;
+use runs::{Runs, run_all};
+
+/// How a figure is called on the command line, and how it is measured.
+pub(crate) struct Figure {
+    pub(crate) name: &'static str,
+    pub(crate) measure: fn(&mut Bench) -> anyhow::Result<Vec<Row>>,
+}
+
+/// Every figure, in the order of the table.
+pub(crate) const FIGURES: &[Figure] = &[
+    Figure { name: "build", measure: build::plain },
+    Figure { name: "mirrored", measure: build::mirrored },
+    Figure { name: "load", measure: load::measure },
+    Figure { name: "leaf-edges", measure: leaf_edges::measure },
+    Figure { name: "candidates", measure: candidates::measure },
+    Figure { name: "first", measure: first_acceptable::measure },
+    Figure { name: "alternatives", measure: alternatives::measure },
+    Figure { name: "score", measure: score::measure },
+    Figure { name: "correction", measure: correction::measure },
+    Figure { name: "seams", measure: seams::measure },
+    Figure { name: "assembly", measure: assembly::measure },
+];
+
+/// What figures share; made when the first one asks for it.
+pub(crate) struct Bench {
+    pub(crate) source: Source,
+    pub(crate) effort: Effort,
+    library: Option<Arc<SearchLibrary>>,
+    runs: Option<Arc<Runs>>,
+}
+
+impl Bench {
+    pub(crate) fn new(source: Source, effort: Effort) -> Self {
+        Self { source, effort, library: None, runs: None }
+    }
+
+    /// The library of the source's clips.
+    pub(crate) fn library(&mut self) -> anyhow::Result<Arc<SearchLibrary>> {
+        if let Some(library) = &self.library {
+            return Ok(Arc::clone(library));
+        }
+        let library = search_library(build_library(self.source.load()?, false)?);
+        self.library = Some(Arc::clone(&library));
+        Ok(library)
+    }
+
+    /// The searches of one second: every problem with every seed.
+    pub(crate) fn runs(&mut self) -> anyhow::Result<Arc<Runs>> {
+        if let Some(runs) = &self.runs {
+            return Ok(Arc::clone(runs));
+        }
+        let library = self.library()?;
+        let runs = Arc::new(run_all(&library, self.effort.n_seeds)?);
+        self.runs = Some(Arc::clone(&runs));
+        Ok(runs)
+    }
+}

@@ -1,0 +1,73 @@
+//! The table of figures: what was promised, what is measured here and now.
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program for developers' terminals"
+)]
+
+mod effort;
+mod figures;
+mod machine;
+mod table;
+
+use std::process::ExitCode;
+
+use anyhow::ensure;
+use clap::Parser;
+use motion_bench::clips::Source;
+
+use effort::Effort;
+use figures::{Bench, FIGURES};
+
+/// Measures every figure that Gaitway promises and prints one table.
+#[derive(Parser)]
+#[command(name = "figures")]
+struct Args {
+    /// Few seeds and short runs: a look, not a result
+    #[arg(long, conflicts_with = "full")]
+    quick: bool,
+    /// Best known scores from 10 runs of 30 s a problem (half an hour, on a quiet machine)
+    #[arg(long)]
+    full: bool,
+    /// Only these figures: build, mirrored, load, leaf-edges, candidates, first, alternatives,
+    /// score, correction, seams, assembly
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+    /// Builds the library once and prints what that took; a process of its own has its own peak
+    /// memory
+    #[arg(long, value_name = "plain|mirrored", hide = true)]
+    build_once: Option<String>,
+}
+
+fn main() -> ExitCode {
+    match run(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("figures: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: &Args) -> anyhow::Result<()> {
+    let source = Source::find();
+    if let Some(which) = &args.build_once {
+        return figures::build::build_once(&source, which == "mirrored");
+    }
+    let names: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
+    for name in &args.only {
+        ensure!(names.contains(&name.as_str()), "no figure is {name:?}; {}", names.join(", "));
+    }
+    let effort = Effort::of(args.quick, args.full);
+    let mut bench = Bench::new(source, effort);
+    println!("{}\nclips: {}; {effort}\n", machine::describe(), bench.source);
+    let mut rows = Vec::new();
+    for figure in FIGURES {
+        if args.only.is_empty() || args.only.iter().any(|name| name == figure.name) {
+            eprintln!("measuring {} …", figure.name);
+            rows.extend((figure.measure)(&mut bench)?);
+        }
+    }
+    print!("{}", table::render(&rows));
+    Ok(())
+}

@@ -1,18 +1,62 @@
-//! `cargo xtask bench`: every benchmark, and one table of what they measured.
-//!
-//! Figures that are no time per run (candidates per second) are printed by the benchmarks themselves.
+//! `cargo xtask bench`: every benchmark, and the table of figures.
 
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context as _, ensure};
+use anyhow::{Context as _, bail, ensure};
 
 use crate::step::{cargo, root};
 
-/// Runs the benchmarks and prints name, median and spread of each.
+/// What `--only` calls the benchmarks, beside the names of figures.
+const BENCHES: &str = "benches";
+
+/// What was typed after `bench`.
+#[derive(Debug, PartialEq)]
+struct Wanted<'a> {
+    /// `--quick` or `--full`.
+    effort: Option<&'a str>,
+    /// Names after `--only`; everything where there are none.
+    only: Vec<&'a str>,
+}
+
+/// Runs the benchmarks and prints median and spread of each; then measures the figures and prints
+/// what was promised beside them.
 pub(crate) fn run(args: &[String]) -> anyhow::Result<()> {
+    let Wanted { effort, only } = read(args)?;
+    let of_figures: Vec<&str> = only.iter().copied().filter(|name| *name != BENCHES).collect();
+    if only.is_empty() || only.contains(&BENCHES) {
+        benches(effort == Some("--quick"))?;
+    }
+    if only.is_empty() || !of_figures.is_empty() {
+        let command = ["run", "--release", "--package", "motion-bench", "--bin", "figures", "--"];
+        let mut command = cargo(&command);
+        command.args(effort).args(of_figures.into_iter().flat_map(|name| ["--only", name]));
+        let status = command.status().context("cannot start the figures")?;
+        ensure!(status.success(), "the figures could not be measured");
+    }
+    Ok(())
+}
+
+fn read(args: &[String]) -> anyhow::Result<Wanted<'_>> {
+    let mut wanted = Wanted { effort: None, only: Vec::new() };
+    let mut args = args.iter().map(String::as_str);
+    while let Some(arg) = args.next() {
+        match arg {
+            "--quick" | "--full" => wanted.effort = Some(arg),
+            "--only" => wanted.only.push(args.next().context("--only needs a name")?),
+            _ => bail!("bench does not know {arg:?}; it takes --quick, --full and --only NAME"),
+        }
+    }
+    Ok(wanted)
+}
+
+/// Criterion's benchmarks and a table of them.
+fn benches(quick: bool) -> anyhow::Result<()> {
     let mut command = cargo(&["bench", "--workspace", "--bench", "*"]);
-    let status = command.args(args).status().context("cannot start cargo bench")?;
+    if quick {
+        command.args(["--", "--quick"]);
+    }
+    let status = command.status().context("cannot start cargo bench")?;
     ensure!(status.success(), "a benchmark failed");
     let target = std::env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root().join("target"), std::path::PathBuf::from);
@@ -28,6 +72,7 @@ pub(crate) fn run(args: &[String]) -> anyhow::Result<()> {
             time(*high_ns)
         );
     }
+    println!();
     Ok(())
 }
 
@@ -86,6 +131,20 @@ fn time(ns: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_wanted_is_read() {
+        let wanted = |text: &str| -> Option<(Option<String>, Vec<String>)> {
+            let args: Vec<String> = text.split_whitespace().map(str::to_owned).collect();
+            let Wanted { effort, only } = read(&args).ok()?;
+            Some((effort.map(str::to_owned), only.into_iter().map(str::to_owned).collect()))
+        };
+        assert_eq!(wanted(""), Some((None, vec![])));
+        let quick = Some("--quick".to_owned());
+        assert_eq!(wanted("--only seams --quick"), Some((quick, vec!["seams".to_owned()])));
+        assert_eq!(wanted("--only"), None);
+        assert_eq!(wanted("seams"), None);
+    }
 
     #[test]
     fn the_median_is_found_among_the_other_estimates() {

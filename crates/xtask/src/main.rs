@@ -18,7 +18,10 @@ const USAGE: &str = "\
 usage: cargo xtask COMMAND
 
   test     everything CI runs: formatting, lints, documentation, tests, dependencies
-  bench    all benchmarks in release; one table at the end (arguments go to `cargo bench`)";
+  bench    all benchmarks in release, then the table of figures beside what was promised
+           --quick       short runs and few seeds: a look, not a result
+           --full        best known scores from long runs (half an hour, on a quiet machine)
+           --only NAME   one figure, or `benches`; a wrong NAME says which there are";
 
 fn main() -> ExitCode {
     let mut args = std::env::args().skip(1);

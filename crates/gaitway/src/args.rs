@@ -33,7 +33,7 @@ pub(crate) struct Common {
     /// Print one JSON document on stdout, and nothing else there
     #[arg(long, global = true, help_heading = HEADING)]
     pub(crate) json: bool,
-    /// Say nothing but errors
+    /// Say nothing beside the answer but errors
     #[arg(short, long, global = true, help_heading = HEADING, conflicts_with = "verbose")]
     pub(crate) quiet: bool,
     /// Say more

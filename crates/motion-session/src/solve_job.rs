@@ -83,8 +83,11 @@ pub fn solve(
     let mut round_ends_s = Vec::new();
     let mut trace: Vec<TracePoint> = Vec::new();
     let mut first_acceptable_s = None;
-    with_deadline(cancel, limit, |token| {
+    with_deadline(cancel, limit, |deadline| {
+        // The first round is not cut short by the clock: some motion is better than none.
+        let mut token = cancel;
         while search.step(token) {
+            token = deadline;
             let s = start.elapsed().as_secs_f64();
             round_ends_s.push(s);
             let progress = search.progress();

@@ -53,7 +53,7 @@ pub(crate) fn solve_and_write(
     if files.is_empty() {
         let sentences: Vec<String> =
             solved.report.characters.into_iter().flat_map(|c| c.unmet).collect();
-        return Err(anyhow::anyhow!("no motion was found ({})", sentences.join("; ")).into());
+        return Err(anyhow::anyhow!("{}", sentences.join("; ")).into());
     }
     Ok((solved.report, files))
 }

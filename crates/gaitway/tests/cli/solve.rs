@@ -104,6 +104,13 @@ fn what_has_changed_since_the_project_was_saved_is_said() {
 }
 
 #[test]
+fn the_shortest_search_finds_something() {
+    let dir = dir_with_library();
+    gaitway(&dir, "solve corner.gaitway -o out --time 1e-9").ok();
+    assert!(dir.join("out/A-1.bvh").is_file(), "one round is always done");
+}
+
+#[test]
 fn results_need_a_folder() {
     let dir = dir_with_library();
     gaitway(&dir, "solve corner.gaitway -o corner.gaitway")

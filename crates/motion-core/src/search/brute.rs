@@ -5,7 +5,8 @@ use std::sync::Arc;
 use glam::Vec2;
 use proptest::prelude::*;
 
-use super::evaluate::{Best, Evaluator};
+use super::best::Best;
+use super::evaluate::Evaluator;
 use super::library::SearchLibrary;
 use super::mutation::Mutation;
 use super::problem::{Problem, Target};

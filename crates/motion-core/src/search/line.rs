@@ -3,7 +3,8 @@
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
-use super::evaluate::{Best, Evaluator, ScoreCounts};
+use super::best::{Best, ScoreCounts};
+use super::evaluate::Evaluator;
 use super::library::SearchLibrary;
 use super::problem::Target;
 use super::rng::stream;

@@ -7,6 +7,9 @@
 //! seed and the number of rounds alone, not on threads.
 
 mod alternatives;
+mod best;
+mod detour;
+mod ends;
 mod evaluate;
 mod landing;
 mod library;
@@ -14,6 +17,8 @@ mod line;
 mod mutation;
 mod neighbourhood;
 mod problem;
+mod reconnect;
+mod refine;
 mod rng;
 mod route;
 mod seeds;
@@ -27,7 +32,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 pub use alternatives::DISTINCT_M;
-pub use evaluate::ScoreCounts;
+pub use best::ScoreCounts;
 pub use library::SearchLibrary;
 pub use neighbourhood::Neighbourhood;
 pub use problem::{Problem, ProblemError};

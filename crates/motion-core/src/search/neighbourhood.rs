@@ -1,7 +1,8 @@
 //! All joint mutations of one path, none of them bounded: what the speed of scoring is measured on.
 
 use super::Search;
-use super::evaluate::{Best, Evaluator, ScoreCounts};
+use super::best::{Best, ScoreCounts};
+use super::evaluate::Evaluator;
 use super::route::Route;
 use super::tables::Tables;
 use crate::path::Path;

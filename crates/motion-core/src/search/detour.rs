@@ -1,0 +1,195 @@
+//! AF02's reconnection by 1 hop: through a stretch of another clip. And the same for the clip
+//! that is there already, with both cuts chosen anew.
+
+use super::evaluate::{Evaluator, Head};
+use super::landing::{Landings, Scan};
+use super::library::{Cut, PairView, walk_shifts};
+use super::mutation::Mutation;
+use crate::graph::EdgeId;
+use crate::ids::ClipId;
+use crate::planar::PlanarTransform;
+
+/// How far, in frames, the two cuts of a piece are moved together.
+const REJOIN_REACH: u32 = 10;
+
+/// A way out of the route into another clip.
+struct Way<'a> {
+    keep: usize,
+    out: &'a Cut,
+    clip: ClipId,
+    world_from_clip: PlanarTransform,
+    /// What was shown before, the cost of `out` counted.
+    head: Head,
+}
+
+impl Evaluator<'_> {
+    /// Through a stretch of another clip: two chosen cuts, AF02's reconnection by 1 hop.
+    ///
+    /// Of the pieces to come back to and of the ways out only those that `pick` draws are looked
+    /// at; of these, every candidate is scored or bounded.
+    pub(crate) fn detours(&mut self, mut pick: impl FnMut() -> bool) {
+        let (tables, library) = (self.tables, self.library);
+        let forest = &library.graph().forest;
+        let bridges = self.bridges;
+        let usable = |pair: &PairView<'_>, id: EdgeId| bridges || id.0 < pair.first_bridge;
+        let landings = Landings::new(library, tables, self.allowed.len(), usable);
+        for (keep, head) in tables.spans.iter().enumerate() {
+            // The pieces to come back to, each with the numbers of frames that may still do.
+            let continuity = self.target.weights.continuity;
+            let resumes: Vec<(usize, (i64, i64))> = (0..tables.spans.len())
+                .filter(|_| pick())
+                .map(|resume| {
+                    let cuts = head.span.cuts_before + tables.spans[resume].cuts_after;
+                    let budget = self.best.limit() - continuity * cuts;
+                    (resume, self.target.frames_window(budget))
+                })
+                .collect();
+            if resumes.is_empty() {
+                continue;
+            }
+            let out = library.out(head.span.clip);
+            let first = out.partition_point(|(_, cut)| cut.from <= head.span.from);
+            for &(middle, cut) in &out[first..] {
+                let so_far = head.head_cost[cut.from as usize] + continuity * cut.cost;
+                let usable = self.allowed[middle.idx()]
+                    && so_far < self.best.limit()
+                    && (bridges || !forest.is_bridge(cut.id));
+                if !usable || !pick() {
+                    continue;
+                }
+                let at_out = self.head(head, &cut);
+                let torsos = library.torsos(middle);
+                let way = Way {
+                    keep,
+                    out: &cut,
+                    clip: middle,
+                    world_from_clip: at_out.torso * torsos[cut.to as usize].inverse(),
+                    head: at_out,
+                };
+                // At least a frame of the other clip is shown, at most the rest of it.
+                let shortest = i64::from(at_out.frames) + 1;
+                let longest = i64::from(at_out.frames) + torsos.len() as i64 - i64::from(cut.to);
+                for &(resume, window) in &resumes {
+                    let tail = &tables.spans[resume];
+                    let rest = tail.frames_from_zero;
+                    let within = shortest + rest - i64::from(tail.span.to) < window.1
+                        && longest + rest >= window.0;
+                    if within {
+                        self.land(&landings, &way, resume);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Every chosen way back from a detour into piece `resume`.
+    fn land(&mut self, landings: &Landings, way: &Way<'_>, resume: usize) {
+        let tail = &self.tables.spans[resume];
+        let scan = Scan {
+            world_from_clip: way.world_from_clip,
+            base: way.head.cost + self.target.weights.continuity * tail.cuts_after,
+            unshifted: i64::from(way.head.frames) - i64::from(way.out.to) + tail.frames_from_zero,
+            // A little slack: the bound and the score round differently.
+            limit: if self.by_parts { self.best.limit() * 1.0001 } else { f32::INFINITY },
+        };
+        let forest = &self.library.graph().forest;
+        let per_tau = (1.0 / self.library.graph().tau) as f32;
+        let left_out = landings.scan(self.target, (way.clip, resume), &scan, |id| {
+            let edge = forest.edge(id);
+            let (from, to) = (edge.from_frame.0, edge.to_frame.0);
+            if from > way.out.to {
+                let back = Cut { from, to, cost: edge.cost * per_tau, id };
+                self.consider_detour(way, resume, &back);
+            }
+        });
+        self.counts.pruned += left_out;
+    }
+
+    #[inline]
+    fn consider_detour(&mut self, way: &Way<'_>, resume: usize, back: &Cut) {
+        let (left_at, entered) = (way.head.frames, way.out.to);
+        let torsos = self.library.torsos(way.clip);
+        let head = self.through(&way.head, way.world_from_clip, way.clip, entered, back);
+        let mutation = Mutation::Detour { keep: way.keep, resume, out: way.out.id, back: back.id };
+        let tail = &self.tables.spans[resume];
+        self.consider_tail(head, tail, back.to, mutation, |frame| {
+            (frame >= left_at).then(|| {
+                let shown = entered + (frame - left_at);
+                way.world_from_clip * torsos[shown as usize]
+            })
+        });
+    }
+
+    /// Both cuts of each inner piece chosen anew among the leaves near them: a detour through
+    /// the clip that is there already.
+    pub(crate) fn rejoin(&mut self) {
+        let (tables, library) = (self.tables, self.library);
+        for keep in 0..tables.spans.len().saturating_sub(2) {
+            let resume = keep + 2;
+            let (head, tail) = (&tables.spans[keep], &tables.spans[resume]);
+            let middle = tables.spans[keep + 1].span;
+            let (Some(out), Some(back)) = (
+                library.pair(head.span.clip, middle.clip),
+                library.pair(middle.clip, tail.span.clip),
+            ) else {
+                continue;
+            };
+            let near = |cuts: &[Cut], from: u32, to: u32| -> Vec<Cut> {
+                let is_near = |cut: &&Cut| {
+                    cut.from.abs_diff(from) <= REJOIN_REACH && cut.to.abs_diff(to) <= REJOIN_REACH
+                };
+                cuts.iter().filter(is_near).copied().collect()
+            };
+            let out_cuts = near(out.leaves, head.span.to, middle.from);
+            let back_cuts = near(back.leaves, middle.to, tail.span.from);
+            let torsos = library.torsos(middle.clip);
+            let base = head.span.cuts_before + tail.cuts_after;
+            for cut in &out_cuts {
+                let so_far = self.target.weights.continuity * (base + cut.cost + back.cheapest);
+                let leaves = cut.from > head.span.from && self.usable(&out, cut);
+                if !leaves || so_far >= self.best.limit() {
+                    continue;
+                }
+                let at_out = self.head(head, cut);
+                let way = Way {
+                    keep,
+                    out: cut,
+                    clip: middle.clip,
+                    world_from_clip: at_out.torso * torsos[cut.to as usize].inverse(),
+                    head: at_out,
+                };
+                self.come_back(&way, resume, &back, &back_cuts);
+            }
+        }
+    }
+
+    /// Scores every way back from a stretch of another clip into piece `resume`.
+    fn come_back(&mut self, way: &Way<'_>, resume: usize, back: &PairView<'_>, cuts: &[Cut]) {
+        let tail = &self.tables.spans[resume];
+        let continuity = self.target.weights.continuity;
+        // The head's cost without that of checkpoints: a bound that is cheap to have.
+        let base = way.head.cost + continuity * tail.cuts_after;
+        let limit = self.best.limit();
+        if base + continuity * back.cheapest >= limit {
+            self.counts.pruned += cuts.len() as u64;
+            return;
+        }
+        let (left_at, entered) = (way.head.frames, way.out.to);
+        let unshifted = i64::from(left_at) - i64::from(entered) + tail.frames_from_zero;
+        let window = self.target.frames_window(limit - base);
+        let shifts = (window.0 - unshifted, window.1 - unshifted);
+        let left_out = walk_shifts(cuts, shifts, |cut| {
+            let so_far = base
+                + continuity * cut.cost
+                + self.target.frames_cost((unshifted + cut.shift()) as u32);
+            if so_far >= self.best.limit() {
+                return false;
+            }
+            if cut.from > entered && cut.to < tail.span.to && self.usable(back, cut) {
+                self.consider_detour(way, resume, cut);
+            }
+            true
+        });
+        self.counts.pruned += left_out;
+    }
+}

@@ -1,0 +1,172 @@
+//! Other starts and other ends.
+
+use super::evaluate::{Evaluator, Head};
+use super::mutation::Mutation;
+use crate::ids::ClipId;
+use crate::planar::PlanarTransform;
+use crate::units::FrameIdx;
+
+impl Evaluator<'_> {
+    /// Other first and last frames of the first and last clip.
+    pub(crate) fn move_ends(&mut self) {
+        let first = &self.route.spans[0];
+        for start in 0..first.to {
+            if start != first.from {
+                let n_frames = self.route.n_frames + first.from - start;
+                let mutation = Mutation::MoveStart { start: FrameIdx(start) };
+                self.consider_moved_end(n_frames, mutation);
+            }
+        }
+        let last = self.route.spans[self.route.spans.len() - 1];
+        for end in last.from..self.library.n_frames(last.clip) {
+            if end + 1 != last.to {
+                let n_frames = self.route.n_frames + end + 1 - last.to;
+                let mutation = Mutation::MoveEnd { end: FrameIdx(end) };
+                self.consider_moved_end(n_frames, mutation);
+            }
+        }
+    }
+
+    fn consider_moved_end(&mut self, n_frames: u32, mutation: Mutation) {
+        let continuity = self.target.weights.continuity * self.route.cuts_cost;
+        if continuity + self.target.frames_cost(n_frames) >= self.best.limit() {
+            self.counts.pruned += 1;
+        } else {
+            self.consider_whole(mutation);
+        }
+    }
+
+    /// New starts: a chosen cut into any piece from any clip, entered so that the length comes
+    /// out as wished or `slack` frames beside it.
+    pub(crate) fn new_starts(&mut self, slack: &[i64]) {
+        let Some(wished) = self.target.frames else { return };
+        let (tables, library) = (self.tables, self.library);
+        let continuity = self.target.weights.continuity;
+        for (resume, tail) in tables.spans.iter().enumerate() {
+            for (nth, &(clip, cut)) in library.into(tail.span.clip).iter().enumerate() {
+                let so_far = continuity * (cut.cost + tail.cuts_after);
+                if so_far >= self.best.limit() {
+                    // Cheapest first: those that follow cost no less.
+                    let left = library.into(tail.span.clip).len() - nth;
+                    self.counts.pruned += (left * slack.len()) as u64;
+                    break;
+                }
+                if cut.to >= tail.span.to
+                    || !self.allowed[clip.idx()]
+                    || (!self.bridges && library.graph().forest.is_bridge(cut.id))
+                {
+                    continue;
+                }
+                let rest = tail.frames_from_zero - i64::from(cut.to);
+                for &slack in slack {
+                    let shown = i64::from(wished) + slack - rest;
+                    if shown < 1 || shown > i64::from(cut.from) {
+                        continue;
+                    }
+                    let start = cut.from - shown as u32;
+                    let torsos = library.torsos(clip);
+                    let world_from_clip = self.target.anchor * torsos[start as usize].inverse();
+                    let nothing =
+                        Head { torso: self.target.anchor, frames: 0, cost: 0.0, support: None };
+                    let head = self.through(&nothing, world_from_clip, clip, start, &cut);
+                    let mutation =
+                        Mutation::NewStart { resume, start: FrameIdx(start), cut: cut.id };
+                    self.consider_tail(head, tail, cut.to, mutation, |frame| {
+                        Some(world_from_clip * torsos[(start + frame) as usize])
+                    });
+                }
+            }
+        }
+    }
+
+    /// New ends: a chosen cut out of any piece, ended so that the length comes out as wished or
+    /// `slack` frames beside it.
+    pub(crate) fn new_ends(&mut self, slack: &[i64]) {
+        let Some(wished) = self.target.frames else { return };
+        let (tables, library) = (self.tables, self.library);
+        let continuity = self.target.weights.continuity;
+        for (keep, head) in tables.spans.iter().enumerate() {
+            let out = library.out(head.span.clip);
+            let first = out.partition_point(|(_, cut)| cut.from <= head.span.from);
+            for &(clip, cut) in &out[first..] {
+                let so_far = head.head_cost[cut.from as usize] + continuity * cut.cost;
+                if so_far >= self.best.limit() {
+                    self.counts.pruned += slack.len() as u64;
+                    continue;
+                }
+                if !self.allowed[clip.idx()]
+                    || (!self.bridges && library.graph().forest.is_bridge(cut.id))
+                {
+                    continue;
+                }
+                let at_cut = self.head(head, &cut);
+                let torsos = library.torsos(clip);
+                let world_from_clip = at_cut.torso * torsos[cut.to as usize].inverse();
+                for &slack in slack {
+                    let shown = i64::from(wished) + slack - i64::from(at_cut.frames);
+                    let end = i64::from(cut.to) + shown - 1;
+                    if shown < 1 || end >= torsos.len() as i64 {
+                        continue;
+                    }
+                    let mutation =
+                        Mutation::NewEnd { keep, cut: cut.id, end: FrameIdx(end as u32) };
+                    self.consider_end(
+                        &at_cut,
+                        world_from_clip,
+                        clip,
+                        (cut.to, end as u32),
+                        mutation,
+                    );
+                }
+            }
+        }
+    }
+
+    /// Scores `head` followed by frames `from..=end` of `clip`.
+    #[inline]
+    fn consider_end(
+        &mut self,
+        head: &Head,
+        world_from_clip: PlanarTransform,
+        clip: ClipId,
+        (from, end): (u32, u32),
+        mutation: Mutation,
+    ) {
+        let limit = self.best.limit();
+        let target = self.target;
+        let weights = target.weights;
+        let n_frames = head.frames + (end + 1 - from);
+        let mut cost = head.cost + target.frames_cost(n_frames);
+        if cost >= limit {
+            self.counts.pruned += 1;
+            return;
+        }
+        if !self.by_parts {
+            self.consider_whole(mutation);
+            return;
+        }
+        let torsos = self.library.torsos(clip);
+        if let Some(last) = &target.last {
+            let at_end = world_from_clip * torsos[end as usize];
+            cost += weights.body * last.place_cost(at_end);
+            if cost + weights.body * last.heading_cost_at_least(at_end) >= limit {
+                self.counts.pruned += 1;
+                return;
+            }
+            cost += weights.body * last.heading_cost(at_end);
+        }
+        for inner in target.inner.iter().rev() {
+            if inner.frame < head.frames {
+                break;
+            }
+            let shown = from + (inner.frame - head.frames);
+            cost += weights.body * inner.cost(world_from_clip * torsos[shown as usize]);
+        }
+        if self.tables.uses_support {
+            let sums = self.library.support(clip).between(from, end + 1);
+            cost +=
+                weights.environment * sums.cost_at(world_from_clip.level_m, self.tables.frame_secs);
+        }
+        self.keep(mutation, cost);
+    }
+}

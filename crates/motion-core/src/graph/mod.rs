@@ -7,6 +7,8 @@
 //! an inner one stands for its cluster by the rounded mean of its frames and its mean cost.
 
 pub mod bridges;
+#[cfg(test)]
+mod brute;
 pub mod build;
 mod cluster;
 pub mod components;

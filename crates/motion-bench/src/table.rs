@@ -16,8 +16,8 @@ pub(crate) struct Row {
     pub(crate) notes: Vec<String>,
 }
 
-/// The rows as text, columns as wide as they must be.
-pub(crate) fn render(rows: &[Row]) -> String {
+/// The rows as text, columns as wide as they must be; without verdicts where nothing is promised.
+pub(crate) fn render(rows: &[Row], is_promised: bool) -> String {
     let mut cells: Vec<[String; 6]> =
         vec![["figure", "target", "measured", "", "wall s", "CPU s"].map(str::to_owned)];
     cells.extend(rows.iter().map(|row| {
@@ -25,7 +25,11 @@ pub(crate) fn render(rows: &[Row]) -> String {
             row.figure.clone(),
             row.target.to_owned(),
             row.measured.clone(),
-            if row.is_met { "met" } else { "MISSED" }.to_owned(),
+            match row.is_met {
+                _ if !is_promised => String::new(),
+                true => "met".to_owned(),
+                false => "MISSED".to_owned(),
+            },
             format!("{:.2}", row.spent.wall.as_secs_f64()),
             format!("{:.2}", row.spent.cpu.as_secs_f64()),
         ]
@@ -68,7 +72,7 @@ mod tests {
             spent,
             notes: notes.iter().map(|&note| note.to_owned()).collect(),
         };
-        let text = render(&[row("a", true, &["why"]), row("longer", false, &[])]);
+        let text = render(&[row("a", true, &["why"]), row("longer", false, &[])], true);
         let expected = "\
 figure  target  measured          wall s  CPU s
 a       1 s     0.9 s     met       1.50  12.00

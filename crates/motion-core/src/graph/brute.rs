@@ -184,16 +184,12 @@ fn dead_ends_and_reach_are_those_of_a_walk() {
         let main = (0..4).find(|&clip| found.part_of_clip[clip] == 0).expect("a main part");
         let (first, _) = found.core[main].expect("a cycle");
         let from_main = reached(&graph, (main as u32, first));
-        for clip in 0..4 {
-            for frame in 0..40u32 {
+        for (clip, from_main) in from_main.iter().enumerate() {
+            for (frame, &from_main) in (0u32..).zip(from_main) {
                 let reaches_main = reached(&graph, (clip as u32, frame))[main][first as usize];
-                assert_eq!(
-                    reaches_main,
-                    frame < found.dead_from[clip],
-                    "clip {clip} frame {frame}"
-                );
-                let from = from_main[clip][frame as usize];
-                assert_eq!(from, frame >= found.reachable_from[clip], "clip {clip} frame {frame}");
+                let place = format!("clip {clip} frame {frame}");
+                assert_eq!(reaches_main, frame < found.dead_from[clip], "{place}");
+                assert_eq!(from_main, frame >= found.reachable_from[clip], "{place}");
             }
         }
     }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::MotionGraph;
 use super::bridges::{find_bridges, with_bridges};
-use super::cluster::{clusters, split_in_two};
+use super::cluster::{Moments, clusters, split_in_two};
 use super::components::connectivity;
 use super::forest::{ClipPair, Edge, Forest, ForestError, ForestParts};
 use super::islands::islands;
@@ -176,7 +176,15 @@ fn grow_forest(
     let trees: Vec<(ClipId, ClipId, ForestParts)> = by_pair
         .into_par_iter()
         .map(|(from, to, edges)| {
-            let mut parts = ForestParts::default();
+            // Most trees are small, so there are nearly twice as many nodes as leaves.
+            let room = 2 * edges.len();
+            let mut parts = ForestParts {
+                from_frames: Vec::with_capacity(room),
+                to_frames: Vec::with_capacity(room),
+                costs: Vec::with_capacity(room),
+                n_leaves: Vec::with_capacity(room),
+                pairs: Vec::new(),
+            };
             let mut scratch = Vec::new();
             if !cancel.is_cancelled() {
                 for island in islands(&edges) {
@@ -191,7 +199,14 @@ fn grow_forest(
     if cancel.is_cancelled() {
         return Err(Cancelled.into());
     }
-    let mut all = ForestParts::default();
+    let n_nodes = trees.iter().map(|(_, _, parts)| parts.costs.len()).sum();
+    let mut all = ForestParts {
+        from_frames: Vec::with_capacity(n_nodes),
+        to_frames: Vec::with_capacity(n_nodes),
+        costs: Vec::with_capacity(n_nodes),
+        n_leaves: Vec::with_capacity(n_nodes),
+        pairs: Vec::with_capacity(trees.len()),
+    };
     for (from, to, parts) in trees {
         let first_node = all.costs.len() as u32;
         all.from_frames.extend_from_slice(&parts.from_frames);
@@ -250,18 +265,20 @@ fn directed_edges(features: &FeatureSet, near: &[NearPair]) -> Vec<(ClipId, Clip
 
 /// Appends the tree over `edges` in depth-first order.
 fn grow_tree(edges: &mut [Edge], parts: &mut ForestParts, scratch: &mut Vec<Edge>) {
-    let n = edges.len() as u64;
-    let sum = |frame: fn(&Edge) -> u32| edges.iter().map(|e| u64::from(frame(e))).sum::<u64>();
-    let rounded_mean = |sum: u64| ((sum + n / 2) / n) as u32;
-    parts.from_frames.push(rounded_mean(sum(|e| e.from_frame.0)));
-    parts.to_frames.push(rounded_mean(sum(|e| e.to_frame.0)));
-    let cost = edges.iter().map(|e| f64::from(e.cost)).sum::<f64>() / n as f64;
-    parts.costs.push(cost as f32);
-    parts.n_leaves.push(n as u32);
-    if edges.len() > 1 {
-        let second = split_in_two(edges, scratch);
-        let (first, second) = edges.split_at_mut(second);
-        grow_tree(first, parts, scratch);
-        grow_tree(second, parts, scratch);
+    let mut push = |edge: Edge, n_leaves: usize| {
+        parts.from_frames.push(edge.from_frame.0);
+        parts.to_frames.push(edge.to_frame.0);
+        parts.costs.push(edge.cost);
+        parts.n_leaves.push(n_leaves as u32);
+    };
+    if let [leaf] = edges {
+        push(*leaf, 1);
+        return;
     }
+    let moments = Moments::of(edges);
+    push(moments.mean_edge(), edges.len());
+    let second = split_in_two(edges, &moments, scratch);
+    let (first, second) = edges.split_at_mut(second);
+    grow_tree(first, parts, scratch);
+    grow_tree(second, parts, scratch);
 }

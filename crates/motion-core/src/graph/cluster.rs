@@ -6,15 +6,52 @@
 use glam::DVec2;
 
 use super::forest::Edge;
+use crate::units::FrameIdx;
 
 /// No island is cut into more clusters than this.
 const MAX_CLUSTERS: usize = 64;
 
-/// Rounds of k-means; the centres have settled long before.
-const MAX_ROUNDS: usize = 12;
+/// Rounds of k-means. Seeds lie along the island already; what a sixth round would still move is
+/// an edge or two at a border.
+const MAX_ROUNDS: usize = 5;
 
 fn point(edge: &Edge) -> DVec2 {
     DVec2::new(f64::from(edge.from_frame.0), f64::from(edge.to_frame.0))
+}
+
+/// Sums over a group of edges from which its mean and its ellipse follow.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Moments {
+    n: f64,
+    sum: DVec2,
+    /// Sums of `from²`, `to²`; then of `from · to`. Exact: frames are far below 2²⁶.
+    squares: DVec2,
+    product: f64,
+    cost: f64,
+}
+
+impl Moments {
+    pub(super) fn of(edges: &[Edge]) -> Self {
+        let mut moments = Self { n: edges.len() as f64, ..Self::default() };
+        for edge in edges {
+            let p = point(edge);
+            moments.sum += p;
+            moments.squares += p * p;
+            moments.product += p.x * p.y;
+            moments.cost += f64::from(edge.cost);
+        }
+        moments
+    }
+
+    /// The edge that stands for the group: rounded mean frames, mean cost.
+    pub(super) fn mean_edge(&self) -> Edge {
+        let rounded = |sum: f64| FrameIdx((sum / self.n).round() as u32);
+        Edge {
+            from_frame: rounded(self.sum.x),
+            to_frame: rounded(self.sum.y),
+            cost: (self.cost / self.n) as f32,
+        }
+    }
 }
 
 /// Mean, major axis (unit) and the two standard deviations of a group of edges.
@@ -29,23 +66,19 @@ struct Ellipse {
 }
 
 impl Ellipse {
-    fn of(edges: &[Edge]) -> Self {
-        let n = edges.len() as f64;
-        let mean = edges.iter().map(point).sum::<DVec2>() / n;
-        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-        for edge in edges {
-            let d = point(edge) - mean;
-            xx += d.x * d.x;
-            xy += d.x * d.y;
-            yy += d.y * d.y;
-        }
-        let (xx, xy, yy) = (xx / n + 1.0 / 12.0, xy / n, yy / n + 1.0 / 12.0);
+    fn of(moments: &Moments) -> Self {
+        let mean = moments.sum / moments.n;
+        let variance = moments.squares / moments.n - mean * mean;
+        let xy = moments.product / moments.n - mean.x * mean.y;
+        let (xx, yy) = (variance.x + 1.0 / 12.0, variance.y + 1.0 / 12.0);
         let half_sum = 0.5 * (xx + yy);
         let half_gap = (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
-        // Eigenvector of the larger eigenvalue; along the diagonal for a round island, since
-        // islands of real clips lie along it.
-        let axis = DVec2::new(xy, half_sum + half_gap - xx);
-        let axis = if xy.abs() < 1e-12 { if xx >= yy { DVec2::X } else { DVec2::Y } } else { axis };
+        // Eigenvector of the larger eigenvalue.
+        let axis = if xy.abs() < 1e-9 {
+            if xx >= yy { DVec2::X } else { DVec2::Y }
+        } else {
+            DVec2::new(xy, half_sum + half_gap - xx)
+        };
         Self {
             mean,
             major_axis: axis.normalize_or(DVec2::X),
@@ -57,7 +90,7 @@ impl Ellipse {
 
 /// Cuts an island by k-means into `k = round(major axis / minor axis)` clusters, at least 1.
 pub(super) fn clusters(island: &[Edge]) -> Vec<Vec<Edge>> {
-    let ellipse = Ellipse::of(island);
+    let ellipse = Ellipse::of(&Moments::of(island));
     let k = (ellipse.major / ellipse.minor).round() as usize;
     let k = k.clamp(1, MAX_CLUSTERS.min(island.len()));
     if k == 1 {
@@ -129,16 +162,20 @@ impl Border {
 }
 
 /// Parts `edges` (at least two) in place into two groups by 2-means and returns where the
-/// second begins: never 0, never the end.
-pub(super) fn split_in_two(edges: &mut [Edge], scratch: &mut Vec<Edge>) -> usize {
+/// second begins: never 0, never the end. `moments` are those of `edges`.
+pub(super) fn split_in_two(
+    edges: &mut [Edge],
+    moments: &Moments,
+    scratch: &mut Vec<Edge>,
+) -> usize {
     debug_assert!(edges.len() >= 2, "one edge cannot be split");
     if edges.len() == 2 {
         return 1;
     }
-    let ellipse = Ellipse::of(edges);
+    let ellipse = Ellipse::of(moments);
     let reach = ellipse.major_axis * ellipse.major;
     let mut centres = [ellipse.mean - reach, ellipse.mean + reach];
-    let total = ellipse.mean * edges.len() as f64;
+    let total = moments.sum;
     let mut border = Border::between(centres);
     for _ in 0..MAX_ROUNDS {
         let (mut sum, mut n) = (DVec2::ZERO, 0usize);
@@ -182,7 +219,11 @@ pub(super) fn split_in_two(edges: &mut [Edge], scratch: &mut Vec<Edge>) -> usize
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::FrameIdx;
+
+    fn split(edges: &mut [Edge]) -> usize {
+        let moments = Moments::of(edges);
+        split_in_two(edges, &moments, &mut Vec::new())
+    }
 
     fn line(n: u32) -> Vec<Edge> {
         let edge = |at| Edge { from_frame: FrameIdx(at), to_frame: FrameIdx(at), cost: 1.0 };
@@ -224,7 +265,7 @@ mod tests {
         edges.extend(
             line(7).into_iter().map(|e| Edge { from_frame: FrameIdx(e.from_frame.0 + 50), ..e }),
         );
-        assert_eq!(split_in_two(&mut edges, &mut Vec::new()), 4);
+        assert_eq!(split(&mut edges), 4);
         assert!(edges[..4].iter().all(|e| e.from_frame.0 < 10), "{edges:?}");
     }
 
@@ -232,7 +273,7 @@ mod tests {
     fn any_group_is_split_into_two_that_are_not_empty() {
         for n in 2..40 {
             let mut edges = line(n);
-            let at = split_in_two(&mut edges, &mut Vec::new());
+            let at = split(&mut edges);
             assert!(at > 0 && at < n as usize, "{n} edges split at {at}");
         }
     }

@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::components::Connectivity;
-use super::forest::{ClipPair, Edge, Forest};
+use super::forest::{ClipPair, Edge, EdgeId, Forest, ForestError, Run};
 use crate::ids::ClipId;
 use crate::similarity::FeatureSet;
 use crate::units::FrameIdx;
@@ -145,7 +145,7 @@ fn usable_links(
         let (Some(leave), Some(enter)) = (&gates[pair.from.idx()], &gates[pair.to.idx()]) else {
             continue;
         };
-        linked[slot] = (pair.first_node..pair.end_node).map(super::EdgeId).any(|id| {
+        linked[slot] = (pair.first_node..pair.end_node).map(EdgeId).any(|id| {
             let edge = forest.edge(id);
             forest.is_leaf(id)
                 && edge.from_frame.0 >= leave.leave_from
@@ -234,46 +234,48 @@ fn well_separated(cuts: Vec<Bridge>) -> Vec<Bridge> {
     kept
 }
 
-/// `forest` with `bridges` added to its pairs; a cut that is an edge already is left out.
+/// `forest` with `bridges` added to its pairs; a bridge that is there already is left out.
 pub fn with_bridges(
     forest: &Forest,
     bridges: &[Bridge],
     clip_frames: &[u32],
-) -> Result<Forest, super::forest::ForestError> {
-    let old = forest.to_parts();
+) -> Result<Forest, ForestError> {
     let mut bridges = bridges.to_vec();
     bridges.sort_by_key(|b| (b.from, b.to, b.edge.from_frame, b.edge.to_frame));
-    let mut parts = super::forest::ForestParts::default();
+    let known = |b: &Bridge| {
+        let mut pairs = forest.pairs_from(b.from).iter().filter(|pair| pair.to == b.to);
+        let mut there = pairs.next().into_iter().flat_map(ClipPair::bridge_nodes).map(EdgeId);
+        there.any(|id| {
+            let edge = forest.edge(id);
+            (edge.from_frame, edge.to_frame) == (b.edge.from_frame, b.edge.to_frame)
+        })
+    };
+    bridges.retain(|bridge| !known(bridge));
+    let label = |b: &Bridge| (b.from, b.to, b.edge.from_frame, b.edge.to_frame);
+    bridges.dedup_by_key(|bridge| label(bridge));
+
     let mut keys: Vec<(ClipId, ClipId)> = forest.pairs().iter().map(|p| (p.from, p.to)).collect();
     keys.extend(bridges.iter().map(|b| (b.from, b.to)));
     keys.sort_unstable();
     keys.dedup();
     let mut old_pairs = forest.pairs().iter().peekable();
-    let mut new = bridges.iter().peekable();
-    for key in keys {
-        let first_node = parts.costs.len() as u32;
+    let mut n_nodes = 0u32;
+    let (mut next_old, mut next_new) = (0u32, 0usize);
+    let mut pairs = Vec::with_capacity(keys.len());
+    let mut runs = Vec::with_capacity(keys.len());
+    for (from, to) in keys {
+        let first_node = n_nodes;
         let mut first_bridge = first_node;
-        if let Some(pair) = old_pairs.next_if(|pair| (pair.from, pair.to) == key) {
-            let nodes = pair.first_node as usize..pair.end_node as usize;
-            parts.from_frames.extend_from_slice(&old.from_frames[nodes.clone()]);
-            parts.to_frames.extend_from_slice(&old.to_frames[nodes.clone()]);
-            parts.costs.extend_from_slice(&old.costs[nodes.clone()]);
-            parts.n_leaves.extend_from_slice(&old.n_leaves[nodes]);
+        let old_start = next_old;
+        if let Some(pair) = old_pairs.next_if(|pair| (pair.from, pair.to) == (from, to)) {
             first_bridge += pair.first_bridge - pair.first_node;
+            next_old = pair.end_node;
         }
-        while let Some(bridge) = new.next_if(|bridge| (bridge.from, bridge.to) == key) {
-            let label = |node: usize| (parts.from_frames[node], parts.to_frames[node]);
-            let cut = (bridge.edge.from_frame.0, bridge.edge.to_frame.0);
-            if (first_bridge as usize..parts.costs.len()).any(|node| label(node) == cut) {
-                continue;
-            }
-            parts.from_frames.push(cut.0);
-            parts.to_frames.push(cut.1);
-            parts.costs.push(bridge.edge.cost);
-            parts.n_leaves.push(1);
-        }
-        let end_node = parts.costs.len() as u32;
-        parts.pairs.push(ClipPair { from: key.0, to: key.1, first_node, first_bridge, end_node });
+        let new_start = next_new;
+        next_new += bridges[new_start..].partition_point(|b| (b.from, b.to) <= (from, to));
+        runs.push(Run { old: old_start..next_old, new: new_start..next_new });
+        n_nodes += next_old - old_start + (next_new - new_start) as u32;
+        pairs.push(ClipPair { from, to, first_node, first_bridge, end_node: n_nodes });
     }
-    Forest::from_parts(parts, clip_frames)
+    forest.with_inserted(&bridges, &runs, pairs, clip_frames)
 }

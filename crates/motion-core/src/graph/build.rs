@@ -1,5 +1,7 @@
 //! From clips to a graph: features, τ, all edges under it, islands, clusters, trees, bridges.
 
+use std::collections::BTreeMap;
+
 use rayon::prelude::*;
 
 use super::MotionGraph;
@@ -175,7 +177,7 @@ fn grow_forest(
     drop(near);
     let trees: Vec<(ClipId, ClipId, ForestParts)> = by_pair
         .into_par_iter()
-        .map(|(from, to, edges)| {
+        .map(|ClipPairEdges { from, to, edges }| {
             // Most trees are small, so there are nearly twice as many nodes as leaves.
             let room = 2 * edges.len();
             let mut parts = ForestParts {
@@ -220,47 +222,69 @@ fn grow_forest(
 }
 
 /// Both directions of each near pair, grouped by clips and ordered by `(from, to)`.
-fn directed_edges(features: &FeatureSet, near: &[NearPair]) -> Vec<(ClipId, ClipId, Vec<Edge>)> {
-    let n_clips = features.frame_starts.len() - 1;
-    let mut clip_of_row = vec![0u32; features.n_rows()];
-    for (clip, bounds) in features.frame_starts.windows(2).enumerate() {
-        clip_of_row[bounds[0]..bounds[1]].fill(clip as u32);
-    }
-    // A library has few pairs of clips next to its pairs of frames, so a slot for each is cheap
-    // up to some thousand clips; beyond that, sort.
-    let mut slots: std::collections::BTreeMap<(u32, u32), Vec<Edge>> =
-        std::collections::BTreeMap::new();
-    let frame =
-        |row: u32| FrameIdx(row - features.frame_starts[clip_of_row[row as usize] as usize] as u32);
-    let mut last: Option<((u32, u32), Vec<Edge>)> = None;
-    let mut add = |key: (u32, u32), edge: Edge| match &mut last {
-        Some((open, edges)) if *open == key => edges.push(edge),
-        _ => {
-            if let Some((open, edges)) = last.replace((key, vec![edge])) {
-                slots.entry(open).or_default().extend(edges);
-            }
-        }
-    };
-    debug_assert!(n_clips < u32::MAX as usize, "too many clips");
-    for pair in near {
-        let (a, b) = (clip_of_row[pair.a as usize], clip_of_row[pair.b as usize]);
-        let edge = Edge { from_frame: frame(pair.a), to_frame: frame(pair.b), cost: pair.cost };
-        add((a, b), edge);
-    }
-    for pair in near {
-        let (a, b) = (clip_of_row[pair.a as usize], clip_of_row[pair.b as usize]);
-        let edge = Edge { from_frame: frame(pair.b), to_frame: frame(pair.a), cost: pair.cost };
-        add((b, a), edge);
-    }
-    if let Some((open, edges)) = last {
-        slots.entry(open).or_default().extend(edges);
-    }
-    let mut grouped: Vec<(ClipId, ClipId, Vec<Edge>)> =
-        slots.into_iter().map(|((a, b), edges)| (ClipId(a), ClipId(b), edges)).collect();
-    grouped.par_iter_mut().for_each(|(_, _, edges)| {
-        edges.sort_unstable_by_key(|edge| (edge.from_frame, edge.to_frame));
-    });
+///
+/// Near pairs are ordered by their smaller row, so all edges between two clips come from the
+/// rows of the earlier one: clips can be taken side by side.
+fn directed_edges(features: &FeatureSet, near: &[NearPair]) -> Vec<ClipPairEdges> {
+    let starts = &features.frame_starts;
+    let mut grouped: Vec<ClipPairEdges> = (0..starts.len() - 1)
+        .into_par_iter()
+        .flat_map_iter(|clip| {
+            let first = near.partition_point(|pair| (pair.a as usize) < starts[clip]);
+            let end = near.partition_point(|pair| (pair.a as usize) < starts[clip + 1]);
+            edges_of_clip(features, clip, &near[first..end])
+        })
+        .collect();
+    grouped.sort_unstable_by_key(|pair| (pair.from, pair.to));
     grouped
+}
+
+/// The edges of one ordered pair of clips.
+struct ClipPairEdges {
+    from: ClipId,
+    to: ClipId,
+    edges: Vec<Edge>,
+}
+
+/// The edges between `clip` and itself or later clips, both ways.
+fn edges_of_clip(features: &FeatureSet, clip: usize, near: &[NearPair]) -> Vec<ClipPairEdges> {
+    let starts = &features.frame_starts;
+    let mut by_other: BTreeMap<usize, Vec<(u32, u32, f32)>> = BTreeMap::new();
+    let mut next = 0;
+    while next < near.len() {
+        // Near pairs of one row come clip by clip.
+        let other = features.clip_of_row(near[next].b as usize).0.idx();
+        let end = next
+            + near[next..].partition_point(|pair| {
+                pair.a == near[next].a && (pair.b as usize) < starts[other + 1]
+            });
+        let frames = near[next..end]
+            .iter()
+            .map(|pair| (pair.a - starts[clip] as u32, pair.b - starts[other] as u32, pair.cost));
+        by_other.entry(other).or_default().extend(frames);
+        next = end;
+    }
+    let edge = |from: u32, to: u32, cost: f32| Edge {
+        from_frame: FrameIdx(from),
+        to_frame: FrameIdx(to),
+        cost,
+    };
+    let mut pairs = Vec::new();
+    for (other, frames) in by_other {
+        let there = frames.iter().map(|&(i, j, cost)| edge(i, j, cost));
+        let back = frames.iter().map(|&(i, j, cost)| edge(j, i, cost));
+        let (clip, other) = (ClipId::from_idx(clip), ClipId::from_idx(other));
+        if clip == other {
+            pairs.push(ClipPairEdges { from: clip, to: clip, edges: there.chain(back).collect() });
+        } else {
+            pairs.push(ClipPairEdges { from: clip, to: other, edges: there.collect() });
+            pairs.push(ClipPairEdges { from: other, to: clip, edges: back.collect() });
+        }
+    }
+    for pair in &mut pairs {
+        pair.edges.sort_unstable_by_key(|edge| (edge.from_frame, edge.to_frame));
+    }
+    pairs
 }
 
 /// Appends the tree over `edges` in depth-first order.

@@ -4,9 +4,9 @@
 //! a dead end however many edges it has. The rule of a path (a piece shows at least one frame)
 //! is kept by letting an edge lead to the frame after the one that it enters.
 
-use crate::ids::ClipId;
+use rayon::prelude::*;
 
-use super::forest::{EdgeId, Forest};
+use super::forest::{ClipPair, EdgeId, Forest};
 
 /// Which clips belong together, and where one cannot go on.
 ///
@@ -51,30 +51,20 @@ pub fn connectivity(forest: &Forest, clip_frames: &[u32], with_bridges: bool) ->
     }
     let n_rows = starts[starts.len() - 1] as usize;
     // Jumps by row in compressed form.
-    let usable = |clip: ClipId, to_frame: u32| to_frame + 1 < clip_frames[clip.idx()];
-    let each_jump = |visit: &mut dyn FnMut(u32, u32)| {
-        for pair in forest.pairs() {
-            let end = if with_bridges { pair.end_node } else { pair.first_bridge };
-            for id in (pair.first_node..end).map(EdgeId).filter(|&id| forest.is_leaf(id)) {
-                let edge = forest.edge(id);
-                if usable(pair.to, edge.to_frame.0) {
-                    let from = starts[pair.from.idx()] + edge.from_frame.0;
-                    visit(from, starts[pair.to.idx()] + edge.to_frame.0 + 1);
-                }
-            }
-        }
-    };
+    let found = jumps(forest, clip_frames, &starts, with_bridges);
     let mut jump_starts = vec![0u32; n_rows + 1];
-    each_jump(&mut |from, _| jump_starts[from as usize + 1] += 1);
+    for &(from, _) in found.iter().flatten() {
+        jump_starts[from as usize + 1] += 1;
+    }
     for row in 0..n_rows {
         jump_starts[row + 1] += jump_starts[row];
     }
     let mut jumps = vec![0u32; jump_starts[n_rows] as usize];
     let mut fill = jump_starts.clone();
-    each_jump(&mut |from, to| {
+    for &(from, to) in found.iter().flatten() {
         jumps[fill[from as usize] as usize] = to;
         fill[from as usize] += 1;
-    });
+    }
     let mut goes_on = vec![true; n_rows];
     for &end in &starts[1..] {
         if end > 0 {
@@ -90,6 +80,39 @@ pub fn connectivity(forest: &Forest, clip_frames: &[u32], with_bridges: bool) ->
     };
     let component = strong_components(n_rows, &successor);
     summarise(&component, n_rows, &starts, clip_frames, &successor)
+}
+
+/// Rows that an edge leads from and to, for each pair of clips.
+///
+/// Of the edges from one frame into one clip only that to the earliest frame is kept: from there
+/// the body walks on to all the others, so nothing that can be reached is lost.
+fn jumps(
+    forest: &Forest,
+    clip_frames: &[u32],
+    starts: &[u32],
+    with_bridges: bool,
+) -> Vec<Vec<(u32, u32)>> {
+    let of_pair = |pair: &ClipPair| {
+        let end = if with_bridges { pair.end_node } else { pair.first_bridge };
+        let n_to = clip_frames[pair.to.idx()];
+        let mut earliest = vec![u32::MAX; clip_frames[pair.from.idx()] as usize];
+        for id in (pair.first_node..end).map(EdgeId).filter(|&id| forest.is_leaf(id)) {
+            let edge = forest.edge(id);
+            // One frame is shown before the clip can be left again.
+            let shown = edge.to_frame.0 + 1;
+            if shown < n_to {
+                let slot = &mut earliest[edge.from_frame.idx()];
+                *slot = shown.min(*slot);
+            }
+        }
+        let (from, to) = (starts[pair.from.idx()], starts[pair.to.idx()]);
+        (from..)
+            .zip(earliest)
+            .filter(|&(_, shown)| shown != u32::MAX)
+            .map(|(row, shown)| (row, to + shown))
+            .collect()
+    };
+    forest.pairs().par_iter().map(of_pair).collect()
 }
 
 /// Tarjan's algorithm without recursion. Components are numbered so that every edge leads to

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+use rayon::prelude::*;
+
+use super::bridges::Bridge;
 use crate::ids::ClipId;
 use crate::units::FrameIdx;
 
@@ -89,6 +92,21 @@ pub struct ForestParts {
     pub pairs: Vec<ClipPair>,
 }
 
+/// Old nodes and the new ones that follow them.
+pub(super) struct Run {
+    pub(super) old: Range<u32>,
+    pub(super) new: Range<usize>,
+}
+
+fn interleaved<T: Copy>(old: &[T], new: &[T], runs: &[Run]) -> Vec<T> {
+    let mut column = Vec::with_capacity(old.len() + new.len());
+    for run in runs {
+        column.extend_from_slice(&old[run.old.start as usize..run.old.end as usize]);
+        column.extend_from_slice(&new[run.new.clone()]);
+    }
+    column
+}
+
 /// Which rule of [`Forest`] is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the edges break rule {0} of a forest")]
@@ -116,21 +134,25 @@ impl Forest {
             if !(in_order && clips && run) {
                 return Err(ForestError(1));
             }
-            let (n_from, n_to) = (clip_frames[pair.from.idx()], clip_frames[pair.to.idx()]);
-            for node in pair.first_node as usize..pair.end_node as usize {
-                let cost_ok = costs[node].is_finite() && costs[node] >= 0.0;
-                if from_frames[node] >= n_from || to_frames[node] >= n_to || !cost_ok {
-                    return Err(ForestError(3));
-                }
-            }
-            if !trees_are_whole(&n_leaves, pair) {
-                return Err(ForestError(2));
-            }
             next = pair.end_node;
             before = Some(key);
         }
         if next as usize != n_nodes {
             return Err(ForestError(1));
+        }
+        let broken = pairs.par_iter().find_map_first(|pair| {
+            let (n_from, n_to) = (clip_frames[pair.from.idx()], clip_frames[pair.to.idx()]);
+            let nodes = pair.first_node as usize..pair.end_node as usize;
+            let frames_ok = from_frames[nodes.clone()].iter().all(|&frame| frame < n_from)
+                && to_frames[nodes.clone()].iter().all(|&frame| frame < n_to);
+            let costs_ok = costs[nodes].iter().all(|cost| cost.is_finite() && *cost >= 0.0);
+            if !frames_ok || !costs_ok {
+                return Some(ForestError(3));
+            }
+            (!trees_are_whole(&n_leaves, pair)).then_some(ForestError(2))
+        });
+        if let Some(broken) = broken {
+            return Err(broken);
         }
         let mut pair_starts = vec![0u32; clip_frames.len() + 1];
         for pair in &pairs {
@@ -140,6 +162,34 @@ impl Forest {
             pair_starts[clip + 1] += pair_starts[clip];
         }
         Ok(Self { from_frames, to_frames, costs, n_leaves, pairs, pair_starts })
+    }
+
+    /// The forest with bridges inserted: for each of the new `pairs` a run of old nodes, then new
+    /// ones. Column by column, since that is tens of megabytes of copying.
+    pub(super) fn with_inserted(
+        &self,
+        bridges: &[Bridge],
+        runs: &[Run],
+        pairs: Vec<ClipPair>,
+        clip_frames: &[u32],
+    ) -> Result<Self, ForestError> {
+        let new = |value: fn(&Edge) -> u32| bridges.iter().map(|b| value(&b.edge)).collect();
+        let (new_from, new_to): (Vec<u32>, Vec<u32>) =
+            (new(|edge| edge.from_frame.0), new(|edge| edge.to_frame.0));
+        let new_costs: Vec<f32> = bridges.iter().map(|b| b.edge.cost).collect();
+        let new_leaves = vec![1u32; bridges.len()];
+        let ((from_frames, to_frames), (costs, n_leaves)) = rayon::join(
+            || {
+                let from_frames = interleaved(&self.from_frames, &new_from, runs);
+                (from_frames, interleaved(&self.to_frames, &new_to, runs))
+            },
+            || {
+                let costs = interleaved(&self.costs, &new_costs, runs);
+                (costs, interleaved(&self.n_leaves, &new_leaves, runs))
+            },
+        );
+        let parts = ForestParts { from_frames, to_frames, costs, n_leaves, pairs };
+        Self::from_parts(parts, clip_frames)
     }
 
     /// The columns, for a file.

@@ -32,6 +32,4 @@ pub mod support_level;
 pub mod units;
 
 #[cfg(test)]
-pub(crate) mod fixture;
-#[cfg(test)]
 mod testing;

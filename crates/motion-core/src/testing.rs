@@ -1,5 +1,7 @@
 //! Bodies and motions for the tests of this crate.
 
+pub(crate) mod wander;
+
 use glam::{Quat, Vec3};
 
 use crate::assemble::Piece;

@@ -9,10 +9,10 @@ use super::forest::{ClipPair, Edge, EdgeId, Forest, ForestParts};
 use super::{BuildError, BuildOptions, MotionGraph, TauRule, build};
 use crate::cancel::CancelToken;
 use crate::clip::{Clip, ClipSet};
-use crate::fixture;
 use crate::ids::ClipId;
 use crate::motion::Motion;
 use crate::similarity::{FeatureSet, metric_columns};
+use crate::testing::wander;
 use crate::units::FrameIdx;
 
 fn build_with(clips: &ClipSet, options: &BuildOptions) -> MotionGraph {
@@ -21,7 +21,7 @@ fn build_with(clips: &ClipSet, options: &BuildOptions) -> MotionGraph {
 
 /// Two families of clips that no τ of either joins: the second walks with its knees up high.
 fn two_families() -> ClipSet {
-    let clips = fixture::clips(6, 80, false, 1);
+    let clips = wander::clips(6, 80, false, 1);
     let skeleton = clips.skeleton().clone();
     let fps = clips.fps();
     let changed = clips.clips().iter().enumerate().map(|(number, clip)| {
@@ -46,7 +46,7 @@ fn two_families() -> ClipSet {
 
 #[test]
 fn leaf_edges_are_those_of_a_double_loop() {
-    let clips = fixture::clips(5, 70, true, 3);
+    let clips = wander::clips(5, 70, true, 3);
     let graph = build_with(&clips, &BuildOptions { bridges: false, ..BuildOptions::default() });
     let features = FeatureSet::new(&clips, metric_columns(clips.skeleton()));
     let mut n_edges = 0;
@@ -90,7 +90,7 @@ fn leaf_edges_are_those_of_a_double_loop() {
 
 #[test]
 fn tau_is_the_cost_under_which_three_frames_of_five_have_a_neighbour() {
-    let clips = fixture::clips(5, 70, false, 4);
+    let clips = wander::clips(5, 70, false, 4);
     let graph = build_with(&clips, &BuildOptions::default());
     let features = FeatureSet::new(&clips, metric_columns(clips.skeleton()));
     let with_neighbour = (0..350)
@@ -104,7 +104,7 @@ fn tau_is_the_cost_under_which_three_frames_of_five_have_a_neighbour() {
 /// An inner node is the rounded mean of its leaves, and children hold what their parent holds.
 #[test]
 fn nodes_stand_for_their_leaves() {
-    let clips = fixture::clips(6, 90, false, 5);
+    let clips = wander::clips(6, 90, false, 5);
     let forest = build_with(&clips, &BuildOptions::default()).forest;
     let mut n_inner = 0;
     for pair in forest.pairs() {
@@ -178,7 +178,7 @@ fn reached(graph: &MotionGraph, from: (u32, u32)) -> Vec<Vec<bool>> {
 #[test]
 fn dead_ends_and_reach_are_those_of_a_walk() {
     for seed in [6, 7] {
-        let clips = fixture::clips(4, 40, false, seed);
+        let clips = wander::clips(4, 40, false, seed);
         let graph = build_with(&clips, &BuildOptions { bridges: false, ..BuildOptions::default() });
         let found = &graph.by_tau;
         let main = (0..4).find(|&clip| found.part_of_clip[clip] == 0).expect("a main part");
@@ -238,8 +238,8 @@ fn a_graph_is_the_same_on_any_number_of_threads() {
 
 #[test]
 fn what_cannot_be_built_is_said() {
-    let clips = fixture::clips(2, 30, false, 1);
-    let none = ClipSet::new(fixture::skeleton(), clips.fps(), vec![]).expect("an empty set");
+    let clips = wander::clips(2, 30, false, 1);
+    let none = ClipSet::new(wander::skeleton(), clips.fps(), vec![]).expect("an empty set");
     let go = CancelToken::new();
     let stop = CancelToken::new();
     stop.cancel();
@@ -254,7 +254,7 @@ fn what_cannot_be_built_is_said() {
 #[test]
 fn one_clip_and_one_frame_make_a_graph() {
     for (n_clips, n_frames) in [(1, 60), (3, 1), (1, 1), (2, 2)] {
-        let clips = fixture::clips(n_clips, n_frames, false, 2);
+        let clips = wander::clips(n_clips, n_frames, false, 2);
         let graph = build_with(&clips, &BuildOptions::default());
         assert_eq!(graph.n_clips(), n_clips);
         let again = connectivity(&graph.forest, &graph.clip_frames, true);

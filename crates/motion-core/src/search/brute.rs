@@ -16,15 +16,15 @@ use super::tables::Tables;
 use super::{Search, seeds};
 use crate::cancel::CancelToken;
 use crate::constraint::{BodyConstraint, LengthMode, LengthWish};
-use crate::fixture;
 use crate::score::{Weights, Wishes, judge};
+use crate::testing::wander;
 
 /// One of the scans of an evaluator.
 type Scan = fn(&mut Evaluator<'_>);
 
 fn library(climbs: bool, seed: u64) -> Arc<SearchLibrary> {
-    let clips = fixture::clips(6, 90, climbs, seed);
-    let graph = fixture::graph(&clips);
+    let clips = wander::clips(6, 90, climbs, seed);
+    let graph = wander::graph(&clips);
     assert!(graph.forest.n_nodes() > 200, "the fixture must have edges");
     Arc::new(SearchLibrary::new(Arc::new(clips), Arc::new(graph)))
 }

@@ -136,7 +136,7 @@ impl Evaluator<'_> {
         let target = self.target;
         let weights = target.weights;
         let n_frames = head.frames + (end + 1 - from);
-        let mut cost = head.cost + target.frames_cost(n_frames);
+        let cost = head.cost + target.frames_cost(n_frames);
         if cost >= limit {
             self.counts.pruned += 1;
             return;
@@ -146,15 +146,8 @@ impl Evaluator<'_> {
             return;
         }
         let torsos = self.library.torsos(clip);
-        if let Some(last) = &target.last {
-            let at_end = world_from_clip * torsos[end as usize];
-            cost += weights.body * last.place_cost(at_end);
-            if cost + weights.body * last.heading_cost_at_least(at_end) >= limit {
-                self.counts.pruned += 1;
-                return;
-            }
-            cost += weights.body * last.heading_cost(at_end);
-        }
+        let at_end = world_from_clip * torsos[end as usize];
+        let Some(mut cost) = self.with_end(cost, at_end) else { return };
         for inner in target.inner.iter().rev() {
             if inner.frame < head.frames {
                 break;

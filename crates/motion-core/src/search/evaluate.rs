@@ -93,6 +93,21 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// `cost` with that of ending at `end` added; `None`, and counted, when that is no better than
+    /// what is kept.
+    #[inline]
+    pub(super) fn with_end(&mut self, cost: f32, end: PlanarTransform) -> Option<f32> {
+        let Some(last) = &self.target.last else { return Some(cost) };
+        let body = self.target.weights.body;
+        let cost = cost + body * last.place_cost(end);
+        // The bound first: it needs no arc tangent.
+        if cost + body * last.heading_cost_at_least(end) >= self.best.limit() {
+            self.counts.pruned += 1;
+            return None;
+        }
+        Some(cost + body * last.heading_cost(end))
+    }
+
     /// Scores `head` followed by the route from frame `entered` of `tail` and keeps it if good.
     ///
     /// `between(frame)` gives torsos at frames of a stretch between the head's last cost and
@@ -124,16 +139,8 @@ impl<'a> Evaluator<'a> {
             self.consider_whole(mutation);
             return;
         }
-        let mut cost = cost;
-        if let Some(last) = &target.last {
-            let end = head.torso * tail.end_from_torso[entered as usize];
-            cost += weights.body * last.place_cost(end);
-            if cost + weights.body * last.heading_cost_at_least(end) >= limit {
-                self.counts.pruned += 1;
-                return;
-            }
-            cost += weights.body * last.heading_cost(end);
-        }
+        let end = head.torso * tail.end_from_torso[entered as usize];
+        let Some(mut cost) = self.with_end(cost, end) else { return };
         for inner in target.inner.iter().rev() {
             let at = if inner.frame >= head.frames {
                 let clip_frame = entered + (inner.frame - head.frames);

@@ -1,4 +1,4 @@
-//! A small frozen library for tests: a point on legs that wanders over the floor.
+//! A small frozen library for graphs and searches: hips on legs that wander over the floor.
 //!
 //! Tests rest on this, never on the built-in library, which grows.
 
@@ -8,25 +8,19 @@ use rand::{RngExt, SeedableRng};
 use crate::clip::{Clip, ClipSet};
 use crate::graph::{BuildOptions, MotionGraph, build};
 use crate::ground::{Contacts, GroundTrack};
-use crate::ids::JointIdx;
 use crate::motion::Motion;
-use crate::skeleton::{Joint, Skeleton};
+use crate::skeleton::Skeleton;
+use crate::testing::joint;
 use crate::units::Fps;
 
 /// A hip with a swinging shin on each side, and nothing else.
 pub(crate) fn skeleton() -> Skeleton {
-    let joint = |name: &str, parent: Option<u32>, x: f32, y: f32| Joint {
-        name: name.to_owned(),
-        parent: parent.map(JointIdx),
-        offset_m: Vec3::new(x, y, 0.0),
-        end_site_m: None,
-    };
     let joints = vec![
-        joint("Hips", None, 0.0, 0.0),
-        joint("LeftLeg", Some(0), 0.1, -0.45),
-        joint("LeftFoot", Some(1), 0.0, -0.45),
-        joint("RightLeg", Some(0), -0.1, -0.45),
-        joint("RightFoot", Some(3), 0.0, -0.45),
+        joint("Hips", None, [0.0, 0.0, 0.0]),
+        joint("LeftLeg", Some(0), [0.1, -0.45, 0.0]),
+        joint("LeftFoot", Some(1), [0.0, -0.45, 0.0]),
+        joint("RightLeg", Some(0), [-0.1, -0.45, 0.0]),
+        joint("RightFoot", Some(3), [0.0, -0.45, 0.0]),
     ];
     Skeleton::new(joints).expect("a valid skeleton")
 }

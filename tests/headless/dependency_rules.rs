@@ -9,7 +9,8 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("crates/motion-core", &[]),
     ("crates/motion-performer", &["motion-core"]),
     ("crates/motion-io", &["motion-core"]),
-    ("crates/motion-session", &["motion-core", "motion-io", "motion-performer"]),
+    ("crates/motion-scene", &[]),
+    ("crates/motion-session", &["motion-core", "motion-io", "motion-performer", "motion-scene"]),
     ("crates/xtask", &[]),
 ];
 
@@ -22,13 +23,19 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ),
     ("crates/motion-io", &["anyhow", "rand"], "its errors are its own; it invents nothing"),
     ("crates/motion-performer", &["serde", "anyhow"], "it is mathematics, like motion-core"),
+    ("crates/motion-scene", &["serde", "anyhow", "rand"], "it is plain data and mathematics"),
     ("crates/motion-session", &["anyhow", "clap", "indicatif"], "it has no terminal"),
 ];
 
 /// Windows and graphics, which only crates made for them may touch.
 const GRAPHICS: &[&str] = &["wgpu", "winit", "egui", "eframe"];
-const WITHOUT_GRAPHICS: &[&str] =
-    &["crates/motion-core", "crates/motion-performer", "crates/motion-io", "crates/motion-session"];
+const WITHOUT_GRAPHICS: &[&str] = &[
+    "crates/motion-core",
+    "crates/motion-performer",
+    "crates/motion-io",
+    "crates/motion-scene",
+    "crates/motion-session",
+];
 
 #[test]
 fn arrows_point_one_way() {

@@ -1,0 +1,211 @@
+//! Skinned meshes: vertices that follow joints.
+
+use std::sync::Arc;
+
+use glam::{Mat4, Vec2, Vec3};
+
+use crate::color::LinearRgba;
+
+/// Names a mesh for as long as the program runs; a renderer keeps what it uploaded under it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MeshId(pub u64);
+
+/// One vertex in its mesh's own space, in which the body stands in its bind pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    /// Where it is, metres.
+    pub position_m: Vec3,
+    /// Outwards, unit length.
+    pub normal: Vec3,
+    /// Where it is on the texture; 0,0 is the upper left corner.
+    pub uv: Vec2,
+    /// Which joints move it, as indices into [`SkinnedMesh::joint_from_mesh`].
+    pub joints: [u16; 4],
+    /// How much each of them does; they sum to 1.
+    pub weights: [f32; 4],
+}
+
+/// Colours of a texture, row by row from the upper left corner, sRGB with straight alpha.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Texture {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// `4 · width · height` bytes.
+    pub rgba: Vec<u8>,
+}
+
+/// What a part of a mesh is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Multiplied with the texture.
+    pub base_color: LinearRgba,
+    /// Colours over the surface.
+    pub texture: Option<Arc<Texture>>,
+    /// 0 a mirror, 1 chalk.
+    pub roughness: f32,
+    /// Texels below this alpha are not there; 0 keeps all.
+    pub alpha_cutoff: f32,
+    /// Whether the backs of triangles are seen, too.
+    pub double_sided: bool,
+}
+
+/// Triangles of one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// The first of its triangles.
+    pub first_triangle: u32,
+    /// How many follow each other.
+    pub n_triangles: u32,
+    /// Of what.
+    pub material: Material,
+}
+
+/// A surface that follows joints by linear blend skinning: a vertex v goes to
+/// Σ wᵢ · `world_from_joint`ᵢ · `joint_from_mesh`ᵢ · v.
+///
+/// Invariants, checked by [`SkinnedMesh::new`]:
+/// 1. There is at least one triangle and one joint, at most 65,536 joints.
+/// 2. Triangles name vertices that exist, vertices name joints that exist.
+/// 3. All numbers are finite; weights are not negative and sum to 1 within 1e-3; normals have
+///    unit length within 1e-2.
+/// 4. Parts cover the triangles, each once and in order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SkinnedMesh {
+    vertices: Vec<Vertex>,
+    triangles: Vec<[u32; 3]>,
+    joint_from_mesh: Vec<Mat4>,
+    parts: Vec<MeshPart>,
+}
+
+/// Why numbers are no mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// Rule 1.
+    #[error("a skinned mesh needs a triangle and 1 to 65,536 joints")]
+    Empty,
+    /// Rule 2.
+    #[error("triangle {0} names a vertex that does not exist")]
+    Triangle(usize),
+    /// Rules 2 and 3.
+    #[error("vertex {0} has a joint, weight, normal or position that cannot be")]
+    Vertex(usize),
+    /// Rule 3.
+    #[error("the bind matrix of joint {0} is not finite")]
+    Joint(usize),
+    /// Rule 4.
+    #[error("part {0} does not begin where the one before it ends, or the last ends too early")]
+    Part(usize),
+}
+
+impl SkinnedMesh {
+    /// A mesh from its numbers.
+    pub fn new(
+        vertices: Vec<Vertex>,
+        triangles: Vec<[u32; 3]>,
+        joint_from_mesh: Vec<Mat4>,
+        parts: Vec<MeshPart>,
+    ) -> Result<Self, MeshError> {
+        let n_joints = joint_from_mesh.len();
+        if triangles.is_empty() || n_joints == 0 || n_joints > 1 << 16 {
+            return Err(MeshError::Empty);
+        }
+        let names_none = |t: &[u32; 3]| t.iter().any(|&v| v as usize >= vertices.len());
+        if let Some(bad) = triangles.iter().position(names_none) {
+            return Err(MeshError::Triangle(bad));
+        }
+        let is_bad = |v: &Vertex| {
+            let sum: f32 = v.weights.iter().sum();
+            let is_near_one = |x: f32, tolerance: f32| (x - 1.0).abs() < tolerance; // false for NaN
+            v.joints.iter().any(|&j| usize::from(j) >= n_joints)
+                || !v.position_m.is_finite()
+                || !v.uv.is_finite()
+                || !is_near_one(v.normal.length(), 1e-2)
+                || !is_near_one(sum, 1e-3)
+                || v.weights.iter().any(|&w| w < 0.0)
+        };
+        if let Some(bad) = vertices.iter().position(is_bad) {
+            return Err(MeshError::Vertex(bad));
+        }
+        if let Some(bad) = joint_from_mesh.iter().position(|m| !m.is_finite()) {
+            return Err(MeshError::Joint(bad));
+        }
+        let mut next = 0;
+        for (idx, part) in parts.iter().enumerate() {
+            if part.first_triangle as usize != next {
+                return Err(MeshError::Part(idx));
+            }
+            next += part.n_triangles as usize;
+        }
+        if next != triangles.len() {
+            return Err(MeshError::Part(parts.len().saturating_sub(1)));
+        }
+        Ok(Self { vertices, triangles, joint_from_mesh, parts })
+    }
+
+    /// Its vertices.
+    pub fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// Its triangles, counter-clockwise seen from outside.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// From the mesh's space to each joint's, in the bind pose.
+    pub fn joint_from_mesh(&self) -> &[Mat4] {
+        &self.joint_from_mesh
+    }
+
+    /// Its triangles by material.
+    pub fn parts(&self) -> &[MeshPart] {
+        &self.parts
+    }
+
+    /// What [`Vertex::joints`] mean in a pose: `world_from_mesh` for each joint.
+    pub fn skin_matrices(&self, world_from_joint: &[Mat4]) -> Vec<Mat4> {
+        world_from_joint.iter().zip(&self.joint_from_mesh).map(|(w, j)| *w * *j).collect()
+    }
+
+    /// Where a vertex is in a pose: the formula at the type, in the order the graphics card takes.
+    pub fn skinned_position_m(vertex: &Vertex, world_from_mesh: &[Mat4]) -> Vec3 {
+        let blended = blend(vertex, world_from_mesh);
+        blended.transform_point3(vertex.position_m)
+    }
+
+    /// Where its normal points in a pose.
+    pub fn skinned_normal(vertex: &Vertex, world_from_mesh: &[Mat4]) -> Vec3 {
+        blend(vertex, world_from_mesh).transform_vector3(vertex.normal).normalize_or_zero()
+    }
+}
+
+fn blend(vertex: &Vertex, world_from_mesh: &[Mat4]) -> Mat4 {
+    let mut blended = Mat4::ZERO;
+    for (&joint, &weight) in vertex.joints.iter().zip(&vertex.weights) {
+        blended += world_from_mesh[usize::from(joint)] * weight;
+    }
+    blended
+}
+
+/// A body's surface at several levels of detail, finest first, all for the same joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyModel {
+    /// Never empty; each has fewer triangles than the one before.
+    levels: Vec<Arc<SkinnedMesh>>,
+}
+
+impl BodyModel {
+    /// A model of one mesh or several, the finest first. `None` for none, or where joints differ.
+    pub fn new(levels: Vec<Arc<SkinnedMesh>>) -> Option<Self> {
+        let n_joints = levels.first()?.joint_from_mesh.len();
+        let fits = levels.iter().all(|level| level.joint_from_mesh.len() == n_joints);
+        fits.then_some(Self { levels })
+    }
+
+    /// Its meshes, finest first.
+    pub fn levels(&self) -> &[Arc<SkinnedMesh>] {
+        &self.levels
+    }
+}

@@ -1,0 +1,174 @@
+//! Wishes on the floor and in the air: checkpoints and joint targets.
+//!
+//! Both are made of simpler things: flat triangles on the floor, lines, a ball, a label.
+
+use glam::{Quat, Vec2, Vec3};
+
+use crate::body::{Emphasis, PickId};
+use crate::color::{ColorRole, LinearRgba, Theme};
+use crate::label::{Anchor, LABEL_PT, Label, LabelPlace};
+use crate::line::{Line, Occlusion};
+use crate::solid::Solid;
+
+/// Triangles that lie flat, drawn in their own colour without light.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Flat {
+    /// Three points for each triangle, metres.
+    pub points_m: Vec<Vec3>,
+    /// One colour for all.
+    pub color: Option<LinearRgba>,
+    /// What picking it returns.
+    pub pick: Option<PickId>,
+}
+
+/// Where a body must be and where it must look: ring, arrow and words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpoint {
+    /// On what the body stands, metres.
+    pub position_m: Vec3,
+    /// 0 along +Z, a quarter turn along +X.
+    pub heading_rad: f32,
+    /// Filled where the place is exact, open where near is enough.
+    pub is_exact: bool,
+    /// Radius of the disc in which the body may be, where it was softened.
+    pub tolerance_m: Option<f32>,
+    /// Words beside it: number, frame, miss.
+    pub label: String,
+    /// Whether it is marked.
+    pub emphasis: Emphasis,
+    /// What picking its ring returns.
+    pub pick: Option<PickId>,
+    /// What picking its arrow's tip returns.
+    pub pick_tip: Option<PickId>,
+}
+
+/// Where a joint must be: ball, drop line to the floor, words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointTarget {
+    /// Where, metres.
+    pub position_m: Vec3,
+    /// Height of the floor below it, metres.
+    pub floor_m: f32,
+    /// Words beside it: joint, frame, height.
+    pub label: String,
+    /// Whether it is marked.
+    pub emphasis: Emphasis,
+    /// What picking it returns.
+    pub pick: Option<PickId>,
+}
+
+const RING_RADIUS_M: f32 = 0.24;
+const RING_WIDTH_M: f32 = 0.035;
+const ARROW_REACH_M: f32 = 0.62;
+const ARROW_SHAFT_M: f32 = 0.055;
+const ARROW_HEAD_M: Vec2 = Vec2::new(0.19, 0.17);
+/// Over the floor, so that they do not fight for the same depth.
+const LIFT_M: f32 = 0.004;
+const N_RING: usize = 48;
+const TARGET_RADIUS_M: f32 = 0.045;
+
+impl Checkpoint {
+    /// The flat parts, the tolerance disc first.
+    pub fn to_flats(&self, theme: Theme) -> Vec<Flat> {
+        let color = self.color(theme);
+        let turn = Quat::from_rotation_y(self.heading_rad);
+        let place = |p: Vec2| self.position_m + turn * Vec3::new(p.x, LIFT_M, p.y);
+        let mut flats = Vec::with_capacity(4);
+        let mut add = |points: Vec<Vec2>, color: LinearRgba, pick| {
+            let points_m = points.into_iter().map(place).collect();
+            flats.push(Flat { points_m, color: Some(color), pick });
+        };
+        if let Some(radius_m) = self.tolerance_m {
+            add(disc(radius_m), color.with_alpha(0.12), None);
+        }
+        let inner_m = RING_RADIUS_M - RING_WIDTH_M;
+        add(disc(inner_m), color.with_alpha(if self.is_exact { 0.45 } else { 0.10 }), self.pick);
+        add(ring(inner_m, RING_RADIUS_M), color, self.pick);
+        add(arrow(), color, self.pick_tip.or(self.pick));
+        flats
+    }
+
+    /// The words beside it.
+    pub fn to_label(&self, theme: Theme) -> Option<Label> {
+        let beside = self.position_m + Vec3::Y * 0.05;
+        label(&self.label, beside, theme)
+    }
+
+    fn color(&self, theme: Theme) -> LinearRgba {
+        marked(ColorRole::Checkpoint, self.emphasis, theme)
+    }
+}
+
+impl JointTarget {
+    /// Its ball.
+    pub fn to_solid(&self, theme: Theme) -> Solid {
+        let color = marked(ColorRole::JointTarget, self.emphasis, theme);
+        let mut ball = Solid::ball(self.position_m, TARGET_RADIUS_M, color);
+        ball.emphasis = self.emphasis;
+        ball.pick = self.pick;
+        ball
+    }
+
+    /// The line to the floor and the dot where it meets it.
+    pub fn to_lines(&self, theme: Theme) -> Vec<Line> {
+        let color = marked(ColorRole::JointTarget, self.emphasis, theme);
+        let foot = Vec3::new(self.position_m.x, self.floor_m + LIFT_M, self.position_m.z);
+        let mut drop_line = Line::new(vec![self.position_m, foot], color.with_alpha(0.8), 1.5);
+        drop_line.pick = self.pick;
+        drop_line.occlusion = Occlusion::Hidden;
+        vec![drop_line, Line::new(vec![foot], color, 7.0)]
+    }
+
+    /// The words above it.
+    pub fn to_label(&self, theme: Theme) -> Option<Label> {
+        label(&self.label, self.position_m + Vec3::Y * 2.0 * TARGET_RADIUS_M, theme)
+    }
+}
+
+fn marked(role: ColorRole, emphasis: Emphasis, theme: Theme) -> LinearRgba {
+    match emphasis {
+        Emphasis::None => role.color(theme),
+        Emphasis::Hovered => role.color(theme).mixed(ColorRole::Hovered.color(theme), 0.45),
+        Emphasis::Selected => ColorRole::Selected.color(theme),
+    }
+}
+
+fn label(text: &str, at_m: Vec3, theme: Theme) -> Option<Label> {
+    (!text.is_empty()).then(|| Label {
+        text: text.to_owned(),
+        place: LabelPlace::World(at_m),
+        anchor: Anchor::Below,
+        size_pt: LABEL_PT,
+        color: ColorRole::Text.color(theme),
+        plate: Some(ColorRole::TextPlate.color(theme).with_alpha(0.82)),
+    })
+}
+
+/// Triangles of a disc in the plane: x to the left, y ahead.
+fn disc(radius: f32) -> Vec<Vec2> {
+    (0..N_RING).flat_map(|i| [Vec2::ZERO, on_circle(i, radius), on_circle(i + 1, radius)]).collect()
+}
+
+fn ring(inner: f32, outer: f32) -> Vec<Vec2> {
+    (0..N_RING)
+        .flat_map(|i| {
+            let [a, b] = [on_circle(i, inner), on_circle(i + 1, inner)];
+            let [c, d] = [on_circle(i, outer), on_circle(i + 1, outer)];
+            [a, c, d, a, d, b]
+        })
+        .collect()
+}
+
+fn on_circle(i: usize, radius: f32) -> Vec2 {
+    Vec2::from_angle(i as f32 / N_RING as f32 * std::f32::consts::TAU) * radius
+}
+
+/// A shaft from the ring outwards and a head.
+fn arrow() -> Vec<Vec2> {
+    let half = 0.5 * ARROW_SHAFT_M;
+    let (from, neck) = (RING_RADIUS_M, ARROW_REACH_M - ARROW_HEAD_M.y);
+    let shaft = [(-half, from), (half, from), (half, neck), (-half, neck)].map(Vec2::from);
+    let half_head = 0.5 * ARROW_HEAD_M.x;
+    let head = [(-half_head, neck), (half_head, neck), (0.0, ARROW_REACH_M)].map(Vec2::from);
+    vec![shaft[0], shaft[1], shaft[2], shaft[0], shaft[2], shaft[3], head[0], head[1], head[2]]
+}

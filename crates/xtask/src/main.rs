@@ -8,6 +8,7 @@
 )]
 
 mod bench;
+mod graphics;
 mod step;
 mod system;
 mod test;

@@ -36,7 +36,8 @@ pub(crate) fn install_missing() -> anyhow::Result<()> {
     Ok(())
 }
 
-fn has(program: &str) -> bool {
+/// Whether `program` is installed.
+pub(crate) fn has(program: &str) -> bool {
     succeeds(Command::new(program).arg("--version"))
 }
 
@@ -56,7 +57,8 @@ fn install(missing: &[&Need]) -> anyhow::Result<()> {
     apt_get(&install)
 }
 
-fn apt_get(args: &[&str]) -> anyhow::Result<()> {
+/// Runs `apt-get` as root, or says that it must be.
+pub(crate) fn apt_get(args: &[&str]) -> anyhow::Result<()> {
     // Not root: sudo without a password or not at all, since nobody may be there to type one.
     let is_root = Command::new("id")
         .arg("-u")

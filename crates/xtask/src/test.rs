@@ -1,5 +1,6 @@
 //! `cargo xtask test`.
 
+use crate::graphics::Graphics;
 use crate::step::{Steps, cargo, succeeds};
 use crate::system;
 
@@ -19,7 +20,15 @@ pub(crate) fn run() -> anyhow::Result<()> {
     )?;
     // Unit tests, integration tests and doctests. The rules of the workspace (who may depend on
     // whom, what a source file looks like) are tests too, in `tests/headless`.
-    steps.run("tests", &mut cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]))?;
+    let mut tests = cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]);
+    let graphics = Graphics::find_or_install();
+    match &graphics {
+        Ok(graphics) => steps.run("tests", graphics.apply(&mut tests))?,
+        Err(why) => {
+            steps.skip("software Vulkan", why);
+            steps.run("tests", &mut tests)?;
+        }
+    }
     if succeeds(&mut cargo(&["deny", "--version"])) {
         // Advisories need a database from the network, which CI may not have.
         steps.run("licences", &mut cargo(&["deny", "check", "licenses", "bans", "sources"]))?;

@@ -10,6 +10,7 @@
 //! This crate has no clock, no IO, no UI and no serde: results depend on arguments alone.
 
 pub mod assemble;
+pub mod bind_pose;
 pub mod cancel;
 pub mod clip;
 pub mod constraint;
@@ -23,6 +24,7 @@ pub mod measure;
 pub mod motion;
 pub mod path;
 pub mod planar;
+pub mod retarget;
 pub mod rotation;
 pub mod score;
 pub mod search;

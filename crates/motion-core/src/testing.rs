@@ -1,5 +1,6 @@
 //! Bodies and motions for the tests of this crate.
 
+pub(crate) mod bodies;
 pub(crate) mod wander;
 
 use glam::{Quat, Vec3};

@@ -3,7 +3,9 @@
 use std::fmt;
 
 use glam::Quat;
+use motion_core::bind_pose::BindPose;
 use motion_core::motion::Motion;
+use motion_core::retarget::Retarget;
 use motion_core::skeleton::Skeleton;
 
 use super::ImportedClip;
@@ -36,17 +38,25 @@ impl fmt::Display for Misfit {
             if names.is_empty() {
                 continue;
             }
-            const MAX_SHOWN: usize = 5;
-            let shown: Vec<String> =
-                names.iter().take(MAX_SHOWN).map(|name| quoted(name.as_bytes())).collect();
-            write!(f, "{separator}{} {kind}", shown.join(", "))?;
-            if names.len() > MAX_SHOWN {
-                write!(f, " and {} more", names.len() - MAX_SHOWN)?;
+            let n_more = names.len().saturating_sub(MAX_SHOWN);
+            write!(f, "{separator}{} {kind}", shown(names))?;
+            if n_more > 0 {
+                write!(f, " and {n_more} more")?;
             }
             separator = ", ";
         }
         Ok(())
     }
+}
+
+/// Most names of one kind in a message.
+const MAX_SHOWN: usize = 5;
+
+/// The first few names, in quotes.
+fn shown(names: &[String]) -> String {
+    let shown: Vec<String> =
+        names.iter().take(MAX_SHOWN).map(|name| quoted(name.as_bytes())).collect();
+    shown.join(", ")
 }
 
 /// The body that most frames have; of equals the first. `bodies[i]` is that of `clips[i]`.
@@ -76,11 +86,97 @@ fn is_same_body(a: &Skeleton, b: &Skeleton) -> bool {
         })
 }
 
+/// What was done to bring a clip to the library's skeleton.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Brought {
+    /// Nothing: the body is the library's.
+    Same,
+    /// Rotations were kept, the root's path scaled by the ratio of leg lengths: the same joints
+    /// with bones of other lengths.
+    Scaled(f32),
+    /// The motion was retargeted by the parts of the body.
+    Retargeted {
+        /// Ratio of leg lengths.
+        leg_ratio: f32,
+        /// Joints of the library that nothing moves.
+        still: Vec<String>,
+    },
+}
+
+impl fmt::Display for Brought {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Same => write!(f, "the library's body"),
+            Self::Scaled(root_scale) => write!(
+                f,
+                "another body, brought to the library's skeleton with its root's path × \
+                 {root_scale:.3}"
+            ),
+            Self::Retargeted { leg_ratio, still } => {
+                write!(
+                    f,
+                    "another hierarchy, retargeted to the library's skeleton by the parts of the \
+                     body, its path × {leg_ratio:.3}"
+                )?;
+                if !still.is_empty() {
+                    let n_more = still.len().saturating_sub(MAX_SHOWN);
+                    let more =
+                        if n_more > 0 { format!(" and {n_more} more") } else { String::new() };
+                    write!(f, "; {}{more} there move with their parents", shown(still))?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The library's skeleton, with the pose in which other bodies are compared with it.
+pub(super) struct LibraryBody {
+    skeleton: Skeleton,
+    bind: BindPose,
+}
+
+impl LibraryBody {
+    /// The standing pose comes from the longest of the clips that have this very body, where the
+    /// rest pose is none.
+    pub(super) fn new(skeleton: Skeleton, bodies: &[Skeleton], clips: &[ImportedClip]) -> Self {
+        let own = bodies.iter().zip(clips).filter(|(body, _)| **body == skeleton);
+        let longest = own.map(|(_, clip)| &clip.motion).max_by_key(|motion| motion.n_frames());
+        let bind = BindPose::of(&skeleton, longest);
+        Self { skeleton, bind }
+    }
+
+    /// Brings a motion of the body `own` to this one.
+    ///
+    /// A body that is the library's is left as it is. One with the same joints on the same parents
+    /// keeps its rotations. Another one is retargeted, or refused with the joints that have no
+    /// counterpart where its parts are not recognised.
+    pub(super) fn bring(&self, own: &Skeleton, motion: &mut Motion) -> Result<Brought, Misfit> {
+        let misfit = match bring_to(&self.skeleton, own, motion) {
+            Ok(None) => return Ok(Brought::Same),
+            Ok(Some(root_scale)) => return Ok(Brought::Scaled(root_scale)),
+            Err(misfit) => misfit,
+        };
+        let own_bind = BindPose::of(own, Some(motion));
+        let Ok(retarget) = Retarget::new(own, &own_bind, &self.skeleton, &self.bind) else {
+            return Err(misfit);
+        };
+        *motion = retarget.apply(motion);
+        let name = |joint| self.skeleton.joint(joint).name.clone();
+        let still = retarget.still_joints().map(name).collect();
+        Ok(Brought::Retargeted { leg_ratio: retarget.leg_ratio(), still })
+    }
+
+    pub(super) fn into_skeleton(self) -> Skeleton {
+        self.skeleton
+    }
+}
+
 /// Brings a motion of the body `own` to the body `library`: rotations are kept, the root's path
 /// is scaled by the ratio of leg lengths.
 ///
 /// Returns that factor where anything was scaled; a body that is the library's is left as it is.
-pub(super) fn bring_to(
+fn bring_to(
     library: &Skeleton,
     own: &Skeleton,
     motion: &mut Motion,

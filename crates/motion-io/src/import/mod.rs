@@ -5,7 +5,8 @@
 //!    the motion; then resampled to the library's rate. Files are read in parallel.
 //! 3. Identical content is kept once; clips are named after their files.
 //! 4. The library's skeleton is the one that most frames have, or a given one; clips of other
-//!    bodies are brought to it, clips of other hierarchies refused.
+//!    bodies are brought to it, those of other hierarchies [retargeted](motion_core::retarget) by
+//!    the parts of the body or refused.
 //!
 //! Everything that was done beyond reading is a line of the [report](Imported::report). The same
 //! files give the same result, whatever the number of threads.
@@ -31,6 +32,7 @@ use rayon::prelude::*;
 use crate::content_hash::ContentHash;
 use crate::diagnostic::{FileError, Warnings, quoted};
 use crate::limits::MAX_LIBRARY_FRAMES;
+use body::{Brought, LibraryBody};
 
 pub use inputs::{MOTION_EXTENSIONS, motion_files};
 pub use motion_file::{Facts, MotionFile, ReadOptions, read_motion_file};
@@ -198,22 +200,21 @@ fn assemble(
         Some(skeleton) => skeleton.clone(),
         None => body::most_used(&bodies, &clips),
     };
+    let library = LibraryBody::new(skeleton, &bodies, &clips);
     for (clip, own) in clips.iter_mut().zip(&bodies) {
-        let done = body::bring_to(&skeleton, own, &mut clip.motion).map_err(|misfit| {
+        let brought = library.bring(own, &mut clip.motion).map_err(|misfit| {
             FileError::new(
                 &clip.source,
                 format!("its skeleton is not the library's: {misfit}"),
-                "leave the file out, or build a library of such clips alone",
+                "leave the file out, name its joints' roles (--roles), or build a library of such \
+                 clips alone",
             )
         })?;
-        if let Some(root_scale) = done {
-            let text = format!(
-                "another body, brought to the library's skeleton with its root's path × \
-                 {root_scale:.3}"
-            );
-            report.add(&clip.source, text);
+        if brought != Brought::Same {
+            report.add(&clip.source, brought.to_string());
         }
     }
+    let skeleton = library.into_skeleton();
     Ok(Imported { skeleton, fps: options.fps, clips, report, warnings })
 }
 

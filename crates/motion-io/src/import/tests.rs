@@ -112,9 +112,36 @@ fn two_files_of_one_stem_are_refused_with_both_paths() {
 }
 
 #[test]
-fn another_hierarchy_is_refused_with_its_joints() {
+fn another_hierarchy_is_retargeted() {
     let folder = Folder::new();
     let mut joints = body(1.0).joints().to_vec();
+    joints[9].name = "mixamorig:Head".to_owned();
+    joints[8].name = "mixamorig:Neck".to_owned();
+    let other = Skeleton::new(joints).unwrap();
+    folder
+        .clip("a.bvh", &body(1.0), 0.0)
+        .clip("b.bvh", &body(1.0), 1.0)
+        .clip("c.bvh", &other, 0.0)
+        .clip("d.bvh", &body(1.0), 2.0);
+    let imported = folder.import(&ImportOptions::default()).unwrap();
+    // The same walk as a, its content another one by its joints' names.
+    let (a, c) = (&imported.clips[0].motion, &imported.clips[2].motion);
+    let skeleton = &imported.skeleton;
+    let (a, c) = (a.joint_positions_m(skeleton), c.joint_positions_m(skeleton));
+    let worst = a.iter().zip(&c).map(|(a, c)| a.distance(*c)).fold(0.0, f32::max);
+    assert!(worst < 1e-4, "{worst} m");
+    assert_eq!(
+        folder.report(&imported).last().unwrap(),
+        "c.bvh: another hierarchy, retargeted to the library's skeleton by the parts of the body, \
+         its path × 1.000"
+    );
+}
+
+#[test]
+fn another_hierarchy_without_parts_is_refused_with_its_joints() {
+    let folder = Folder::new();
+    let mut joints = body(1.0).joints().to_vec();
+    joints[2].name = "Hock".to_owned();
     joints[9].name = "Snout".to_owned();
     folder.clip("a.bvh", &body(1.0), 0.0).clip("b.bvh", &body(1.0), 1.0).clip(
         "dog.bvh",
@@ -124,8 +151,9 @@ fn another_hierarchy_is_refused_with_its_joints() {
     let error = folder.import(&ImportOptions::default()).unwrap_err().to_string();
     assert!(
         error.ends_with(
-            "dog.bvh: its skeleton is not the library's: \"Snout\" without counterpart there, \
-             \"Head\" missing here; leave the file out, or build a library of such clips alone"
+            "dog.bvh: its skeleton is not the library's: \"Hock\", \"Snout\" without counterpart \
+             there, \"LeftLeg\", \"Head\" missing here, \"LeftFoot\" on another parent; leave the \
+             file out, name its joints' roles (--roles), or build a library of such clips alone"
         ),
         "{error}"
     );

@@ -10,6 +10,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("crates/motion-performer", &["motion-core"]),
     ("crates/motion-io", &["motion-core"]),
     ("crates/motion-scene", &[]),
+    ("crates/motion-render", &["motion-scene"]),
     ("crates/motion-session", &["motion-core", "motion-io", "motion-performer", "motion-scene"]),
     ("crates/xtask", &[]),
 ];
@@ -24,6 +25,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("crates/motion-io", &["anyhow", "rand"], "its errors are its own; it invents nothing"),
     ("crates/motion-performer", &["serde", "anyhow"], "it is mathematics, like motion-core"),
     ("crates/motion-scene", &["serde", "anyhow", "rand"], "it is plain data and mathematics"),
+    ("crates/motion-render", &["winit", "egui", "eframe"], "it draws for windows and without one"),
     ("crates/motion-session", &["anyhow", "clap", "indicatif"], "it has no terminal"),
 ];
 

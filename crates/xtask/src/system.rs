@@ -14,7 +14,7 @@ struct Need {
 }
 
 const NEEDS: &[Need] = &[
-    Need { program: "cc", package: "build-essential", why: "zstd and blake3 have parts in C" },
+    Need { program: "cc", package: "build-essential", why: "blake3 has parts in C" },
     Need { program: "git", package: "git", why: "the sources are in it" },
 ];
 

@@ -1,7 +1,7 @@
 //! The application without a window.
 //!
 //! [`library_job`] makes a [`Library`] of files; [`problem`] gives a project its meaning for one;
-//! [`solve_job`] searches, under a budget, and reports. Nothing here prints or waits for a person:
+//! [`solve_job`] searches, under a budget, and reports; [`stage`] says what is to be seen. Nothing here prints or waits for a person:
 //! jobs take a cancel token and a callback that hears how far they are.
 
 pub mod error;
@@ -19,6 +19,8 @@ pub mod results;
 pub mod sample;
 pub mod solve_job;
 pub mod unmet;
+
+pub mod stage;
 
 pub use error::JobError;
 pub use library::Library;

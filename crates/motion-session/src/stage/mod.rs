@@ -1,8 +1,8 @@
 //! What of a project and its motions is to be seen, as a [`Scene`].
 //!
 //! A [`Stage`] has actors (a figure, a skeleton, a motion each) and what the project says about
-//! them. [`Stage::scene_at`] shows a moment, [`Stage::fan`] the whole motion at once. Neither knows
-//! who draws it.
+//! them. [`Stage::scene_at`] shows a moment, [`Stage::fan`] the whole motion at once; [`shot`] says
+//! from where they are looked at. Who draws them is not known here.
 
 pub mod actor;
 pub mod figure;
@@ -15,6 +15,11 @@ pub mod pose;
 pub mod ramp;
 pub mod standing;
 pub mod wishes;
+
+pub mod framing;
+pub mod shot;
+pub mod smooth;
+pub mod viewpoint;
 
 use glam::Vec3;
 use motion_io::project_file::{Constraint, Obstacle, Project};
@@ -210,4 +215,4 @@ impl Stage {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -7,8 +7,8 @@ struct Quad {
     // The same on the atlas, texels; a plate has no size there.
     @location(1) source: vec4f,
     @location(2) color: vec4f,
-    // Radius of a plate's corners, pixels.
-    @location(3) radius: f32,
+    // Radius of a plate's corners, pixels; depth.
+    @location(3) radius_and_depth: vec2f,
 };
 
 @group(1) @binding(0) var atlas: texture_2d<f32>;
@@ -28,11 +28,11 @@ fn vertex(in: Quad, @builtin(vertex_index) corner: u32) -> Placed {
     let share = vec2f(f32(corner & 1u), f32(corner >> 1u));
     let px = in.place.xy + share * in.place.zw;
     var out: Placed;
-    out.clip = vec4f(px * frame.viewport.zw * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0), 0.0, 1.0);
+    out.clip = vec4f(px * frame.viewport.zw * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0), in.radius_and_depth.y, 1.0);
     out.texel = in.source.xy + share * in.source.zw;
     out.from_center = (share - 0.5) * in.place.zw;
     out.half_size = 0.5 * in.place.zw;
-    out.radius = in.radius;
+    out.radius = in.radius_and_depth.x;
     out.is_plate = select(0u, 1u, in.source.z <= 0.0);
     out.color = in.color;
     return out;

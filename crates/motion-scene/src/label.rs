@@ -3,6 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::color::LinearRgba;
+use crate::line::Occlusion;
 
 /// Which part of the words is at the place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -34,6 +35,10 @@ pub struct Label {
     pub place: LabelPlace,
     /// Which part of it is there.
     pub anchor: Anchor,
+    /// Radius of a disc on the floor around the place that the words keep clear of, metres.
+    pub clear_m: f32,
+    /// Whether bodies hide it.
+    pub occlusion: Occlusion,
     /// Height of the letters from ascent to descent, points.
     pub size_pt: f32,
     /// Of the letters.

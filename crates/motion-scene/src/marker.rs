@@ -90,8 +90,7 @@ impl Checkpoint {
 
     /// The words beside it.
     pub fn to_label(&self, theme: Theme) -> Option<Label> {
-        let beside = self.position_m + Vec3::Y * 0.05;
-        label(&self.label, beside, theme)
+        label(&self.label, self.position_m, RING_RADIUS_M, theme)
     }
 
     fn color(&self, theme: Theme) -> LinearRgba {
@@ -121,7 +120,8 @@ impl JointTarget {
 
     /// The words above it.
     pub fn to_label(&self, theme: Theme) -> Option<Label> {
-        label(&self.label, self.position_m + Vec3::Y * 2.0 * TARGET_RADIUS_M, theme)
+        let above = self.position_m + Vec3::Y * TARGET_RADIUS_M;
+        label(&self.label, above, 0.0, theme)
     }
 }
 
@@ -133,11 +133,13 @@ fn marked(role: ColorRole, emphasis: Emphasis, theme: Theme) -> LinearRgba {
     }
 }
 
-fn label(text: &str, at_m: Vec3, theme: Theme) -> Option<Label> {
+fn label(text: &str, at_m: Vec3, clear_m: f32, theme: Theme) -> Option<Label> {
     (!text.is_empty()).then(|| Label {
         text: text.to_owned(),
         place: LabelPlace::World(at_m),
         anchor: Anchor::Below,
+        clear_m,
+        occlusion: Occlusion::Shown,
         size_pt: LABEL_PT,
         color: ColorRole::Text.color(theme),
         plate: Some(ColorRole::TextPlate.color(theme).with_alpha(0.82)),

@@ -4,6 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use motion_scene::color::{ColorRole, LinearRgba};
 use motion_scene::label::{Anchor, Label, LabelPlace};
+use motion_scene::line::Occlusion;
 use motion_scene::scene::Scene;
 
 use crate::buffers::GrowBuffer;
@@ -15,7 +16,7 @@ use crate::shared_bindings::SharedBindings;
 use crate::view::View;
 
 const QUAD: [wgpu::VertexAttribute; 4] =
-    wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32];
+    wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x2];
 
 /// Keep in sync with `Quad` in labels.wgsl.
 #[repr(C)]
@@ -25,6 +26,7 @@ struct GpuQuad {
     source: [f32; 4],
     color: [f32; 4],
     radius: f32,
+    depth: f32,
 }
 
 /// Free space between words and the edge of their plate, points.
@@ -63,7 +65,7 @@ impl Labels {
             topology: wgpu::PrimitiveTopology::TriangleStrip,
             cull: false,
             output: Output::Color(Blend::Over),
-            depth: Depth::Ignore,
+            depth: Depth::Test,
         };
         Self {
             group: gpu.create_bind_group("letters", &layout, &resources),
@@ -115,22 +117,25 @@ impl Labels {
 
     fn add(&mut self, quads: &mut Vec<GpuQuad>, label: &Label, view: &View) {
         let scale = view.pixels_per_point;
-        let at_px = match label.place {
-            LabelPlace::Picture(at_pt) => at_pt * scale,
+        let (at_px, gap) = match label.place {
+            LabelPlace::Picture(at_pt) => (at_pt * scale, 0.0),
             LabelPlace::World(at) => match view.camera.project(at, view.viewport()) {
-                Some(at) => at.px,
+                Some(at) => (at.px, DISTANCE_PT * scale + clear_px(label, at.depth_m, view)),
                 None => return,
             },
+        };
+        let depth = match (label.place, label.occlusion) {
+            (LabelPlace::World(at), Occlusion::Hidden) => {
+                let clip = view.camera.clip_from_world(view.viewport()).project_point3(at);
+                clip.z.clamp(0.0, 1.0)
+            }
+            _ => 1.0,
         };
         let words = self.atlas.lay_out(&label.text, label.size_pt * scale);
         if words.glyphs.is_empty() || !at_px.is_finite() {
             return;
         }
         let size = Vec2::new(words.width_px, words.height_px);
-        let gap = match label.place {
-            LabelPlace::World(_) => DISTANCE_PT * scale,
-            LabelPlace::Picture(_) => 0.0,
-        };
         let corner = match label.anchor {
             Anchor::Center => at_px - 0.5 * size,
             Anchor::Below => at_px - Vec2::new(0.5 * size.x, size.y + gap),
@@ -145,6 +150,7 @@ impl Labels {
                 source: [0.0; 4],
                 color: plate.0,
                 radius: RADIUS_PT * scale,
+                depth,
             });
         }
         quads.extend(words.glyphs.iter().map(|glyph| {
@@ -154,9 +160,18 @@ impl Labels {
                 source: [x, y, width, height],
                 color: label.color.0,
                 radius: 0.0,
+                depth,
             }
         }));
     }
+}
+
+/// How much of the picture a disc on the floor takes upwards, from its middle.
+fn clear_px(label: &Label, depth_m: f32, view: &View) -> f32 {
+    /// The words are higher than a point: seen flat, they still need some way.
+    const LEAST_SHARE: f32 = 0.3;
+    let radius_px = label.clear_m / view.camera.metres_per_px(depth_m, view.viewport());
+    radius_px * view.camera.pitch_rad.sin().abs().max(LEAST_SHARE)
 }
 
 /// Numbers along both axes of the floor, as close as they can be read.
@@ -195,6 +210,8 @@ fn metre_label(at_m: Vec3, metres: i32, color: LinearRgba) -> Label {
         text: if metres == 0 { "0 m".to_owned() } else { metres.to_string() },
         place: LabelPlace::World(at_m),
         anchor: Anchor::Left,
+        clear_m: 0.0,
+        occlusion: Occlusion::Hidden,
         size_pt: METRE_PT,
         color,
         plate: None,

@@ -23,6 +23,9 @@ pub mod view;
 pub mod gpu;
 pub mod targets;
 
+pub mod skinning_check;
+pub mod testing;
+
 mod primitive;
 
 mod frame_uniform;

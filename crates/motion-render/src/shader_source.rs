@@ -87,7 +87,7 @@ mod tests {
         let dir = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders");
         let mut files: Vec<String> = std::fs::read_dir(dir)
             .unwrap()
-            .filter_map(|entry| Some(entry.unwrap().path()))
+            .map(|entry| entry.unwrap().path())
             .filter(|path| path.extension().is_some_and(|ending| ending == "wgsl"))
             .map(|path| path.file_stem().unwrap().to_string_lossy().into_owned())
             .collect();

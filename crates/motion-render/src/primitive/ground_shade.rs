@@ -13,7 +13,7 @@ use crate::primitive::solids::corners_m;
 use crate::shader_source::GROUND_SHADE;
 use crate::shared_bindings::SharedBindings;
 
-/// Keep in sync with `Cell` in ground_shade.wgsl.
+/// Keep in sync with `Cell` in `ground_shade.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 struct GpuCell([f32; 3]);

@@ -19,7 +19,7 @@ const INSTANCE: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![
     2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Uint32x2
 ];
 
-/// Keep in sync with `Vertex` in solids.wgsl and solids_shadow.wgsl.
+/// Keep in sync with `Vertex` in solids.wgsl and `solids_shadow.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct GpuSolid {

@@ -44,4 +44,5 @@ pub mod camera;
 pub mod color;
 
 pub mod body_plan;
+pub mod mannequin;
 pub mod mesh;

@@ -68,6 +68,12 @@ fn solid(in: Skinned, @builtin(front_facing) is_front: bool) -> @location(0) vec
     return vec4f(shoulder(lit(albedo, part.surface.x, normal, to_eye, visibility)), 1.0);
 }
 
+// Where only depth counts.
+@fragment
+fn nothing() -> @location(0) vec4f {
+    return vec4f(0.0);
+}
+
 // See-through, denser towards the edge.
 @fragment
 fn ghost(in: Skinned) -> @location(0) vec4f {

@@ -138,7 +138,7 @@ impl Offscreen {
         view: &View,
         px: Vec2,
     ) -> Result<Option<PickId>, RenderError> {
-        self.with_device(|device| Some(device.picker.pick(&mut device.renderer, scene, view, px)))
+        self.with_device(|device| device.picker.pick(&mut device.renderer, scene, view, px))
     }
 
     /// Runs `work`, again on a new device as long as devices are lost over it.

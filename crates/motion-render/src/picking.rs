@@ -71,17 +71,17 @@ impl Picker {
         Some(nearest_to_middle(&bytes))
     }
 
-    /// Asks and waits for the answer; nothing if the device is gone.
+    /// Asks and waits for the answer; `None` without one because the device is gone.
     pub fn pick(
         &mut self,
         renderer: &mut Renderer,
         scene: &Scene,
         view: &View,
         px: Vec2,
-    ) -> Option<PickId> {
+    ) -> Option<Option<PickId>> {
         self.ask(renderer, scene, view, px);
         let bytes = self.readback.wait(renderer.gpu())?;
-        nearest_to_middle(&bytes)
+        Some(nearest_to_middle(&bytes))
     }
 }
 

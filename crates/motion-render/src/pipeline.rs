@@ -123,15 +123,20 @@ impl PipelineSpec<'_> {
             },
             alpha: wgpu::BlendComponent::OVER,
         };
+        let mut write_mask = wgpu::ColorWrites::ALL;
         let (format, blend) = match self.output {
+            Output::DepthOfColor => {
+                write_mask = wgpu::ColorWrites::empty();
+                (COLOR_FORMAT, None)
+            }
             Output::Color(Blend::Replace) => (COLOR_FORMAT, None),
             Output::Color(Blend::Over) => (COLOR_FORMAT, Some(wgpu::BlendState::ALPHA_BLENDING)),
             Output::Color(Blend::Multiply) => (COLOR_FORMAT, Some(multiply)),
             Output::Ids => (ID_FORMAT, None),
             Output::Mask => (MASK_FORMAT, None),
-            Output::DepthOfColor | Output::ShadowMap => return None,
+            Output::ShadowMap => return None,
         };
-        Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })
+        Some(wgpu::ColorTargetState { format, blend, write_mask })
     }
 
     fn depth_state(&self) -> Option<wgpu::DepthStencilState> {

@@ -13,8 +13,11 @@ pub struct PickId(pub NonZeroU32);
 
 impl PickId {
     /// The `n`th name, from 0; `None` past the last.
-    pub fn nth(n: u32) -> Option<Self> {
-        NonZeroU32::new(n.checked_add(1)?).map(Self)
+    pub const fn nth(n: u32) -> Option<Self> {
+        match NonZeroU32::new(n.wrapping_add(1)) {
+            Some(name) => Some(Self(name)),
+            None => None,
+        }
     }
 }
 

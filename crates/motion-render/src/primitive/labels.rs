@@ -34,6 +34,8 @@ const PADDING_PT: Vec2 = Vec2::new(6.0, 2.5);
 const RADIUS_PT: f32 = 4.0;
 /// Between a place and words beside or above it, points.
 const DISTANCE_PT: f32 = 8.0;
+/// How much nearer than their place words are, of the camera's distance.
+const UPRIGHT_SHARE: f32 = 0.05;
 /// Numbers of metres, points.
 const METRE_PT: f32 = 10.5;
 
@@ -126,7 +128,9 @@ impl Labels {
         };
         let depth = match (label.place, label.occlusion) {
             (LabelPlace::World(at), Occlusion::Hidden) => {
-                let clip = view.camera.clip_from_world(view.viewport()).project_point3(at);
+                // Letters stand up; their lower halves must not sink into the floor.
+                let nearer = at - view.camera.forward() * (UPRIGHT_SHARE * view.camera.distance_m);
+                let clip = view.camera.clip_from_world(view.viewport()).project_point3(nearer);
                 clip.z.clamp(0.0, 1.0)
             }
             _ => 1.0,

@@ -129,7 +129,7 @@ impl SkinnedMeshes {
         };
         Self {
             solid: two_sided(Some("solid"), Output::Color(Blend::Replace), Depth::TestAndWrite),
-            ghost_depth: two_sided(None, Output::DepthOfColor, Depth::TestAndWrite),
+            ghost_depth: two_sided(Some("nothing"), Output::DepthOfColor, Depth::TestAndWrite),
             ghost: two_sided(Some("ghost"), over, Depth::Test),
             shadow: shadow.create(gpu),
             mask: spec(Some("mask"), Output::Mask, Depth::Ignore, false).create(gpu),

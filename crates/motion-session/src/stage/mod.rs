@@ -27,7 +27,7 @@ use motion_io::report_file::ConstraintReport;
 use motion_scene::body::{GHOST_ALPHA, Look};
 use motion_scene::color::{ColorRole, LinearRgba, Theme};
 use motion_scene::label::{Anchor, LABEL_PT, Label, LabelPlace};
-use motion_scene::line::Line;
+use motion_scene::line::{Line, Occlusion};
 use motion_scene::scene::Scene;
 use motion_scene::trail::Trail;
 
@@ -207,6 +207,8 @@ impl Stage {
             text,
             place: LabelPlace::World(at_m),
             anchor: Anchor::Below,
+            clear_m: 0.0,
+            occlusion: Occlusion::Shown,
             size_pt: LABEL_PT,
             color: ColorRole::Text.color(self.theme),
             plate: Some(ColorRole::TextPlate.color(self.theme).with_alpha(0.82)),

@@ -176,6 +176,21 @@ pub(crate) fn lowest_foot_m(
     if low_m.is_finite() { low_m } else { 0.0 }
 }
 
+/// From the right side of a body to its left: by its thighs, where these begin apart, else by its
+/// arms.
+pub(crate) fn left_of(skeleton: &Skeleton, positions_m: &[Vec3]) -> Option<Vec3> {
+    use JointRole as R;
+    let at = |role| skeleton.by_role(role).map(|joint| positions_m[joint.idx()]);
+    let across = |left, right| Some(at(left)? - at(right)?);
+    let size_m = positions_m.iter().map(|at| at.distance(positions_m[0])).fold(0.0, f32::max);
+    let apart = |across: &Vec3| across.length() > APART_SHARE * size_m;
+    let thighs = across(R::LeftUpLeg, R::RightUpLeg).filter(apart);
+    thighs.or_else(|| across(R::LeftArm, R::RightArm).filter(apart))?.try_normalize()
+}
+
+/// Joints that are closer than this share of the body are at one place.
+const APART_SHARE: f32 = 0.01;
+
 /// How upright a pose is, as cosines to the vertical.
 #[derive(Clone, Copy, Debug)]
 struct Stance {
@@ -206,8 +221,7 @@ impl Stance {
         }
         let arms = [R::LeftArm, R::RightArm].into_iter().filter_map(direction);
         let arms = arms.map(|arm| arm.y).fold(-1.0, f32::max);
-        let left = at(R::LeftUpLeg)? - at(R::RightUpLeg)?;
-        Some(Self { back, legs, arms, left: left.try_normalize()? })
+        Some(Self { back, legs, arms, left: left_of(skeleton, positions_m)? })
     }
 
     /// Whether a person would stand so, facing +Z.
@@ -264,11 +278,7 @@ fn swung(skeleton: &Skeleton) -> Vec<Quat> {
 
 /// The turn that brings the hips' sides to ±X and, as far as that lets it, the back up.
 fn upright_from_rest(skeleton: &Skeleton, rest: &[Vec3]) -> Quat {
-    let at = |role| skeleton.by_role(role).map(|joint: JointIdx| rest[joint.idx()]);
-    let left = match (at(JointRole::LeftUpLeg), at(JointRole::RightUpLeg)) {
-        (Some(left), Some(right)) => (left - right).try_normalize(),
-        _ => None,
-    };
+    let left = left_of(skeleton, rest);
     let up = bone_direction(skeleton, rest, JointRole::Hips);
     let (Some(left), Some(up)) = (left, up) else { return Quat::IDENTITY };
     let Some(up) = up.reject_from_normalized(left).try_normalize() else { return Quat::IDENTITY };
@@ -276,7 +286,7 @@ fn upright_from_rest(skeleton: &Skeleton, rest: &[Vec3]) -> Quat {
 }
 
 /// Where the bone of a role points when a person stands; `None` for hips and ends of limbs.
-fn usual_direction(role: JointRole) -> Option<Vec3> {
+pub(crate) fn usual_direction(role: JointRole) -> Option<Vec3> {
     use JointRole as R;
     match role {
         R::Spine | R::Spine1 | R::Spine2 | R::Neck => Some(Vec3::Y),

@@ -23,7 +23,7 @@ use std::fmt;
 
 use glam::{Quat, Vec3};
 
-use crate::bind_pose::{BindPose, bone_direction, lowest_foot_m, positions_m};
+use crate::bind_pose::{BindPose, bone_direction, lowest_foot_m, positions_m, usual_direction};
 use crate::ids::JointIdx;
 use crate::motion::Motion;
 use crate::rotation;
@@ -66,13 +66,10 @@ impl fmt::Display for RetargetError {
 impl std::error::Error for RetargetError {}
 
 /// Without these a body is not known to stand on two legs.
-const NEEDED: [JointRole; 5] = [
-    JointRole::Hips,
-    JointRole::LeftUpLeg,
-    JointRole::LeftLeg,
-    JointRole::RightUpLeg,
-    JointRole::RightLeg,
-];
+const NEEDED: [JointRole; 3] = [JointRole::Hips, JointRole::LeftUpLeg, JointRole::RightUpLeg];
+
+/// Without these a body cannot show another one's legs where that one has them.
+const SHINS: [JointRole; 2] = [JointRole::LeftLeg, JointRole::RightLeg];
 
 /// How the motions of one skeleton become motions of another.
 #[derive(Clone, Debug, PartialEq)]
@@ -111,8 +108,8 @@ enum Follow {
 impl Retarget {
     /// From `source` to `target`, compared in their standing poses.
     ///
-    /// Fails where hips, thighs or shins are not recognised on either body, unless the source has
-    /// a joint of the same name for every joint of the target.
+    /// Fails where hips or thighs are not recognised on either body, or shins on the source alone,
+    /// unless the source has a joint of the same name for every joint of the target.
     ///
     /// # Panics
     /// When a pose is another skeleton's.
@@ -264,8 +261,12 @@ fn check_needed(source: &Skeleton, target: &Skeleton) -> Result<(), RetargetErro
     let missing = |skeleton: &Skeleton| -> Vec<JointRole> {
         NEEDED.into_iter().filter(|&role| skeleton.by_role(role).is_none()).collect()
     };
-    let error =
-        RetargetError { missing_in_source: missing(source), missing_in_target: missing(target) };
+    // Legs of one piece follow thighs; a knee needs something to follow.
+    let unmoved =
+        |&role: &JointRole| target.by_role(role).is_some() && source.by_role(role).is_none();
+    let mut missing_in_source = missing(source);
+    missing_in_source.extend(SHINS.into_iter().filter(unmoved));
+    let error = RetargetError { missing_in_source, missing_in_target: missing(target) };
     let complete = error.missing_in_source.is_empty() && error.missing_in_target.is_empty();
     let all_named = || target.joints().iter().all(|joint| source.by_name(&joint.name).is_some());
     if complete || all_named() { Ok(()) } else { Err(error) }
@@ -367,6 +368,13 @@ impl Turns<'_> {
             | R::RightUpLeg
             | R::RightLeg => match (from, to) {
                 (Some(from), Some(to)) => Quat::from_rotation_arc(from, to),
+                // The limb is of one piece, so that nothing tells where it ends.
+                (None, Some(to))
+                    if matches!(role, R::LeftArm | R::RightArm | R::LeftUpLeg | R::RightUpLeg) =>
+                {
+                    usual_direction(role)
+                        .map_or(inherited, |from| Quat::from_rotation_arc(from, to))
+                }
                 _ => inherited,
             },
             R::LeftFoot | R::RightFoot => match (from, to) {

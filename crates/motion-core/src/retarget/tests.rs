@@ -191,7 +191,7 @@ fn parts_that_are_missing_are_named() {
     let worm = Skeleton::new(worm.to_vec()).unwrap();
     let (a, b) = (BindPose::of(&person, None), BindPose::of(&worm, None));
     let error = Retarget::new(&person, &a, &worm, &b).unwrap_err();
-    assert_eq!(error.to_string(), "the target has no Hips, LeftLeg, RightUpLeg, RightLeg");
+    assert_eq!(error.to_string(), "the target has no Hips, RightUpLeg");
     assert_eq!(error.missing_in_source, []);
     // What has no parts can still do its own motions.
     assert!(Retarget::new(&worm, &b, &worm, &b).is_ok());

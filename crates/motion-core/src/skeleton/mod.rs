@@ -3,6 +3,7 @@
 pub mod mirror;
 pub mod names;
 pub mod roles;
+mod shape;
 
 use std::collections::HashMap;
 
@@ -57,7 +58,8 @@ pub enum SkeletonError {
 }
 
 impl Skeleton {
-    /// A skeleton from its joints, parents first. Roles are recognised from the names.
+    /// A skeleton from its joints, parents first. Roles are recognised from the names and, where
+    /// these say nothing, from the shape of the tree.
     pub fn new(joints: Vec<Joint>) -> Result<Self, SkeletonError> {
         if joints.is_empty() {
             return Err(SkeletonError::Empty);
@@ -78,7 +80,8 @@ impl Skeleton {
                 return Err(SkeletonError::Offset(joint.name.clone()));
             }
         }
-        let roles = RoleMap::from_names(joints.iter().map(|j| j.name.as_str()));
+        let mut roles = RoleMap::from_names(joints.iter().map(|j| j.name.as_str()));
+        shape::complete(&joints, &mut roles);
         Ok(Self { joints, roles })
     }
 

@@ -93,6 +93,11 @@ impl RoleMap {
         self.joints[role as usize] = Some(joint);
     }
 
+    /// Takes the role from whichever joint has it.
+    pub(super) fn unset(&mut self, role: JointRole) {
+        self.joints[role as usize] = None;
+    }
+
     /// The role of `joint`, if it has one.
     pub fn role_of(&self, joint: JointIdx) -> Option<JointRole> {
         JointRole::ALL.iter().copied().find(|&role| self.joint(role) == Some(joint))

@@ -23,7 +23,13 @@ pub(crate) fn read_options(reading: &Reading) -> Result<ReadOptions, FileError> 
         args::UpAxis::Y => UpAxis::Y,
         args::UpAxis::Z => UpAxis::Z,
     });
-    Ok(ReadOptions { metres_per_unit: reading.scale, up, roles, keep_tpose: false })
+    Ok(ReadOptions {
+        metres_per_unit: reading.scale,
+        up,
+        roles,
+        keep_tpose: false,
+        animation: None,
+    })
 }
 
 /// How long a search lasts without a word about it.

@@ -3,6 +3,7 @@
 //! | format | in | out |
 //! | --- | --- | --- |
 //! | `.bvh` | [`bvh::read`] | [`bvh::save`] |
+//! | `.glb`, `.gltf` | [`gltf::read_character`], [`import::read_motion_file`] | |
 //! | `.gaitway` | [`project_file::load`] | [`project_file::save`] |
 //! | `.gwlib` | [`library_file::LibraryFile::load`] | [`library_file::LibraryFile::save`] |
 //! | `report.json`, `timing.json` | | [`report_file::save`] |
@@ -19,6 +20,7 @@ pub mod bytes;
 pub mod container;
 pub mod content_hash;
 pub mod diagnostic;
+pub mod gltf;
 pub mod guess;
 pub mod import;
 pub mod json;

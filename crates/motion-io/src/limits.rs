@@ -78,3 +78,34 @@ pub const MAX_CHARACTER_NAME: usize = 64;
 
 /// Most sections of a container file.
 pub const MAX_SECTIONS: u32 = 1_024;
+
+/// Most nodes, meshes, accessors and the like of a glTF file, of each kind.
+pub const MAX_GLTF_ITEMS: usize = 100_000;
+
+/// Deepest nesting of nodes of a glTF file. Joints are as deep as [`MAX_JOINT_DEPTH`] at most, with
+/// other nodes between them.
+pub const MAX_NODE_DEPTH: usize = 1024;
+
+/// Most numbers of one accessor that are read, and of all tracks of an animation: 64 MiB of them.
+/// An accessor without data is all zeros, so that its claim is all there is.
+pub const MAX_ACCESSOR_VALUES: usize = 1 << 24;
+
+/// Most sets of four influences of a vertex that are looked at; four of them all count.
+pub const MAX_INFLUENCE_SETS: u32 = 4;
+
+/// Most nodes and tracks of an animation that are looked at, over all its frames: ten seconds of
+/// work.
+pub const MAX_ANIMATION_STEPS: f64 = 1e9;
+
+/// Most vertices of a character: fifty times a detailed one.
+pub const MAX_MESH_VERTICES: usize = 4_000_000;
+
+/// Most triangles of a character.
+pub const MAX_MESH_TRIANGLES: usize = 8_000_000;
+
+/// Longest side of a picture, pixels.
+pub const MAX_TEXTURE_SIDE: u32 = 8192;
+
+/// Most memory that decoding a picture may take, and all of a character's pictures together,
+/// bytes: two of 8192 by 8192.
+pub const MAX_TEXTURE_BYTES: u64 = 512 << 20;

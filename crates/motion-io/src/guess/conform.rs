@@ -43,6 +43,12 @@ pub fn conform(skeleton: Skeleton, mut motion: Motion, how: &Conform) -> (Skelet
             }
         }
     }
+    (conform_skeleton(skeleton, how), motion)
+}
+
+/// The same body in the new terms, without a motion.
+pub fn conform_skeleton(skeleton: Skeleton, how: &Conform) -> Skeleton {
+    let Conform { scale, canonical_from_rest, .. } = *how;
     let roles = skeleton.roles().clone();
     let mut joints = skeleton.joints().to_vec();
     for joint in &mut joints {
@@ -51,8 +57,7 @@ pub fn conform(skeleton: Skeleton, mut motion: Motion, how: &Conform) -> (Skelet
     }
     // Turning and scaling keeps every rule of a skeleton but finiteness, and lengths are limited
     // when a file is read; should it fail all the same, the body stays as it was.
-    let skeleton = Skeleton::new(joints).map_or(skeleton, |new| new.with_roles(roles));
-    (skeleton, motion)
+    Skeleton::new(joints).map_or(skeleton, |new| new.with_roles(roles))
 }
 
 #[cfg(test)]

@@ -9,6 +9,9 @@ use super::Guess;
 /// backs are never quite straight.
 const SNAP_RAD: f32 = 0.5;
 
+/// Joints that are closer than this share of the body are at one place.
+const APART_SHARE: f32 = 0.01;
+
 /// The turn that makes the rest pose stand along +Y and look along +Z, with its left at +X.
 ///
 /// Up is from the hips to the neck, left from the right thigh (or arm) to the left one. Unsure
@@ -25,8 +28,15 @@ pub fn canonical_from_rest(skeleton: &Skeleton) -> Guess<Quat> {
     let up = [Neck, Head, Spine2, Spine1, Spine]
         .into_iter()
         .find_map(|role| direction(at(role), Some(hips)));
-    let left =
-        direction(at(LeftUpLeg), at(RightUpLeg)).or_else(|| direction(at(LeftArm), at(RightArm)));
+    // Thighs that begin at one point say nothing, whatever their last digits.
+    let are_apart = |a: Option<Vec3>, b: Option<Vec3>| {
+        let size = positions.iter().map(|at| at.distance(hips)).fold(0.0, f32::max);
+        a.zip(b).is_some_and(|(a, b)| a.distance(b) > APART_SHARE * size)
+    };
+    let thighs = (at(LeftUpLeg), at(RightUpLeg));
+    let left = direction(thighs.0, thighs.1)
+        .filter(|_| are_apart(thighs.0, thighs.1))
+        .or_else(|| direction(at(LeftArm), at(RightArm)));
     let unsure = Guess { value: Quat::IDENTITY, sure: false };
     let (Some(up), Some(left)) = (up, left) else { return unsure };
     let Some(left) = left.reject_from_normalized(up).try_normalize() else { return unsure };

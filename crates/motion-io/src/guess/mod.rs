@@ -11,7 +11,7 @@ pub(crate) mod test_body;
 mod tpose;
 mod up_axis;
 
-pub use conform::{Conform, conform};
+pub use conform::{Conform, conform, conform_skeleton};
 pub use facing::canonical_from_rest;
 pub use scale::{LengthUnit, guess_unit, hip_height_units};
 pub use tpose::n_leading_tpose_frames;

@@ -6,7 +6,7 @@ use crate::diagnostic::FileError;
 use crate::limits::{MAX_FOLDER_DEPTH, MAX_LIBRARY_FILES};
 
 /// Extensions of files that hold a motion, in small letters.
-pub const MOTION_EXTENSIONS: [&str; 1] = ["bvh"];
+pub const MOTION_EXTENSIONS: [&str; 3] = ["bvh", "glb", "gltf"];
 
 /// The motion files that `inputs` mean, in their order; folders by file name, files of a folder
 /// before those of folders within it.
@@ -23,7 +23,7 @@ pub fn motion_files(inputs: &[PathBuf], recursive: bool) -> Result<Vec<PathBuf>,
                 return Err(FileError::new(
                     input,
                     "it is not a kind of motion file that can be read",
-                    "give .bvh files or folders of them",
+                    "give .bvh, .glb or .gltf files, or folders of them",
                 ));
             }
             files.push(input.clone());
@@ -33,9 +33,9 @@ pub fn motion_files(inputs: &[PathBuf], recursive: bool) -> Result<Vec<PathBuf>,
         add_folder(input, if recursive { MAX_FOLDER_DEPTH } else { 0 }, &mut files)?;
         if files.len() == n_before {
             let hint = if recursive {
-                "give a folder with .bvh files"
+                "give a folder with .bvh, .glb or .gltf files"
             } else {
-                "give a folder with .bvh files, or add --recursive"
+                "give a folder with .bvh, .glb or .gltf files, or add --recursive"
             };
             return Err(FileError::new(input, "there are no motion files in the folder", hint));
         }

@@ -11,6 +11,7 @@ use super::Report;
 use crate::bvh;
 use crate::content_hash::ContentHash;
 use crate::diagnostic::{FileError, Warnings};
+use crate::gltf;
 use crate::guess::{self, Conform, Guess, LengthUnit, UpAxis};
 use crate::limits::MAX_MOTION_FILE_BYTES;
 use crate::read_file::read_file;
@@ -27,6 +28,9 @@ pub struct ReadOptions {
     pub roles: RoleOverrides,
     /// Keeps a T-pose before the motion.
     pub keep_tpose: bool,
+    /// Which animation of a glTF file, by its name or its number from 0; the first one where left
+    /// out.
+    pub animation: Option<String>,
 }
 
 /// A motion on its own skeleton at its own rate: metres, Y up, rest pose facing +Z.
@@ -47,11 +51,11 @@ pub struct MotionFile {
 pub struct Facts {
     /// Metres of one file unit.
     pub metres_per_unit: f64,
-    /// The unit that was recognised; `None` where it was given.
+    /// The unit that was recognised; `None` where it was given or is none that people use.
     pub unit: Option<Guess<LengthUnit>>,
     /// How high the hips of the standing body are, metres.
     pub hip_height_m: f32,
-    /// The axis that was recognised; `None` where it was given.
+    /// The axis that was recognised; `None` where it was given, or by the format's rule.
     pub up: Option<Guess<UpAxis>>,
     /// Whether the rest pose was turned to face +Z; unsure where its parts are not recognised.
     pub rest_turned: Guess<bool>,
@@ -80,21 +84,33 @@ pub(super) fn read_motion(
     options: &ReadOptions,
     warnings: &mut Warnings,
 ) -> Result<MotionFile, FileError> {
-    let content_hash = ContentHash::of(bytes);
-    let file = bvh::read(bytes, path, warnings)?;
-    let (skeleton, motion) = file.to_motion(1.0, path, warnings)?;
-    drop(file);
-    let skeleton = options.roles.apply(skeleton, path, warnings);
+    let is_gltf = gltf::is_gltf(path);
+    let (skeleton, motion, content_hash) = if is_gltf {
+        let wanted = options.animation.as_deref();
+        let raw = gltf::read_raw_motion(bytes, path, wanted, &options.roles, warnings)?;
+        (raw.skeleton, raw.motion, raw.content_hash)
+    } else {
+        let file = bvh::read(bytes, path, warnings)?;
+        let (skeleton, motion) = file.to_motion(1.0, path, warnings)?;
+        (options.roles.apply(skeleton, path, warnings), motion, ContentHash::of(bytes))
+    };
 
     let (n_frames, fps) = (motion.n_frames(), motion.fps());
     let n_tpose_frames =
         if options.keep_tpose { 0 } else { guess::n_leading_tpose_frames(&skeleton, &motion) };
     let motion = if n_tpose_frames > 0 { motion.slice(n_tpose_frames, n_frames) } else { motion };
 
-    let unit = options.metres_per_unit.is_none().then(|| guess::guess_unit(&skeleton));
-    let metres_per_unit =
-        options.metres_per_unit.or(unit.map(|unit| unit.value.metres())).unwrap_or(1.0);
-    let up = options.up.is_none().then(|| guess::guess_up_axis(&skeleton, &motion));
+    let (metres_per_unit, unit) = match options.metres_per_unit {
+        Some(metres) => (metres, None),
+        None if is_gltf => gltf::guess_metres(&skeleton, path, warnings),
+        None => {
+            let unit = guess::guess_unit(&skeleton);
+            (unit.value.metres(), Some(unit))
+        }
+    };
+    // In glTF Y is up by the format's rule.
+    let is_up_open = options.up.is_none() && !is_gltf;
+    let up = is_up_open.then(|| guess::guess_up_axis(&skeleton, &motion));
     let up_axis = options.up.or(up.map(|up| up.value)).unwrap_or(UpAxis::Y);
     let world_from_file = up_axis.y_up_from_file();
     let rest = guess::canonical_from_rest(&skeleton);

@@ -25,7 +25,7 @@ fn shadow_cell(in: Cell, @builtin(vertex_index) corner: u32) -> Shaded {
 
 @fragment
 fn shadow(in: Shaded) -> @location(0) vec4f {
-    let dark = frame.towards_key.w * (1.0 - key_visibility(in.p_in_world));
+    let dark = frame.towards_key.w * (1.0 - floor_visibility(in.p_in_world));
     return vec4f(vec3f(1.0 - dark), 1.0);
 }
 

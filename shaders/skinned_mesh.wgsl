@@ -62,10 +62,9 @@ fn solid(in: Skinned, @builtin(front_facing) is_front: bool) -> @location(0) vec
     let towards = normalize(in.normal);
     let normal = select(-towards, towards, is_front);
     let to_eye = towards_eye(in.p_in_world);
-    // Shadow is looked up a little outside, so that a surface does not shade itself.
-    let visibility = key_visibility(in.p_in_world + normal * (2.5 * frame.misc.z));
+    let visibility = body_visibility(in.p_in_world, normal);
     let albedo = color.rgb * instances[in.instance].tint.rgb;
-    return vec4f(shoulder(lit(albedo, part.surface.x, normal, to_eye, visibility)), 1.0);
+    return vec4f(stored(lit(albedo, part.surface.x, normal, to_eye, visibility)), 1.0);
 }
 
 // Where only depth counts.

@@ -42,9 +42,9 @@ fn vertex(in: Vertex) -> Placed {
 @fragment
 fn solid(in: Placed) -> @location(0) vec4f {
     let normal = normalize(in.normal);
-    let visibility = key_visibility(in.p_in_world + normal * (2.5 * frame.misc.z));
+    let visibility = body_visibility(in.p_in_world, normal);
     let light = lit(in.color.rgb, 0.7, normal, towards_eye(in.p_in_world), visibility);
-    return vec4f(shoulder(light), in.color.a);
+    return vec4f(stored(light), in.color.a);
 }
 
 @fragment

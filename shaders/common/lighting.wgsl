@@ -26,8 +26,11 @@ fn lit(albedo: vec3f, roughness: f32, normal: vec3f, to_eye: vec3f, visibility: 
     return from_key + ambient * (albedo + edge);
 }
 
-// Bright light bends towards white instead of being cut off: linear up to 0.7.
-fn shoulder(light: vec3f) -> vec3f {
+// From light to what a picture stores, sRGB (IEC 61966-2-1). Bright light bends towards white
+// instead of being cut off: linear up to 0.7.
+fn stored(light: vec3f) -> vec3f {
     let over = max(light - 0.7, vec3f(0.0));
-    return min(light, vec3f(0.7)) + 0.3 * (over / (over + 0.3));
+    let shown = min(light, vec3f(0.7)) + 0.3 * (over / (over + 0.3));
+    let curve = 1.055 * pow(max(shown, vec3f(0.0031308)), vec3f(1.0 / 2.4)) - 0.055;
+    return select(curve, 12.92 * shown, shown <= vec3f(0.0031308));
 }

@@ -10,15 +10,15 @@ struct Joint {
 @group(2) @binding(0) var<storage, read> joints: array<Joint>;
 
 fn blended(first: u32, which: vec4u, weights: vec4f) -> Joint {
-    var sum = Joint(vec4f(0.0), vec4f(0.0), vec4f(0.0));
-    for (var i = 0; i < 4; i++) {
-        let joint = joints[first + which[i]];
-        let weight = weights[i];
-        sum.x += joint.x * weight;
-        sum.y += joint.y * weight;
-        sum.z += joint.z * weight;
-    }
-    return sum;
+    let a = joints[first + which.x];
+    let b = joints[first + which.y];
+    let c = joints[first + which.z];
+    let d = joints[first + which.w];
+    return Joint(
+        a.x * weights.x + b.x * weights.y + c.x * weights.z + d.x * weights.w,
+        a.y * weights.x + b.y * weights.y + c.y * weights.z + d.y * weights.w,
+        a.z * weights.x + b.z * weights.y + c.z * weights.z + d.z * weights.w,
+    );
 }
 
 fn moved(joint: Joint, point: vec4f) -> vec3f {

@@ -56,7 +56,7 @@ impl FrameUniform {
         let fade_m = (FADE_DISTANCES * camera.distance_m).max(LEAST_FADE_M);
         let light = &scene.light;
         let vec = |rgb: [f32; 3]| Vec3::from(rgb).extend(0.0);
-        let rgba = |color: LinearRgba| Vec4::from(color.0);
+        let rgba = |color: LinearRgba| Vec4::from(color.to_srgb());
         let around = Surroundings::of(scene.theme);
         let has_grid = scene.ground.is_some_and(|ground| ground.has_grid);
         Self {

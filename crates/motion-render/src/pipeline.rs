@@ -3,8 +3,11 @@
 use crate::gpu::Gpu;
 use crate::shader_source::ShaderSource;
 
-/// What scenes are drawn into.
-pub(crate) const COLOR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
+/// What scenes are drawn into: stored sRGB values. Light is computed as light and encoded by the
+/// shaders; edges and see-through things are mixed as stored values, as user interfaces do. (A
+/// format that encodes would do it for each of four samples; in software that is a fifth of a
+/// picture's time.)
+pub(crate) const COLOR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Depth, reversed: 1 near, 0 far.
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Names of what is seen.

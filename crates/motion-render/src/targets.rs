@@ -36,19 +36,13 @@ impl Targets {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            // Stored as sRGB; whoever wants the stored bytes as they are takes the other view.
-            format: wgpu::TextureFormat::Rgba8Unorm,
+            format: COLOR_FORMAT,
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                 | wgpu::TextureUsages::TEXTURE_BINDING
                 | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[COLOR_FORMAT],
+            view_formats: &[],
         });
-        let color_resolved = color.create_view(&wgpu::TextureViewDescriptor {
-            label: Some("picture as light"),
-            format: Some(COLOR_FORMAT),
-            usage: Some(wgpu::TextureUsages::RENDER_ATTACHMENT),
-            ..Default::default()
-        });
+        let color_resolved = color.create_view(&wgpu::TextureViewDescriptor::default());
         Self {
             size,
             color,

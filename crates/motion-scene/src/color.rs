@@ -30,6 +30,13 @@ impl LinearRgba {
         Self(std::array::from_fn(|i| self.0[i] + (other.0[i] - self.0[i]) * share))
     }
 
+    /// As stored values, sRGB from 0 to 1, with straight alpha.
+    pub fn to_srgb(self) -> [f32; 4] {
+        let [r, g, b, a] = self.0;
+        let stored = |light: f32| srgb_from_linear(light.clamp(0.0, 1.0));
+        [stored(r), stored(g), stored(b), a]
+    }
+
     /// As bytes of sRGB with straight alpha.
     pub fn to_srgb8(self) -> [u8; 4] {
         let [r, g, b, a] = self.0;

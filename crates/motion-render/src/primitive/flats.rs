@@ -97,7 +97,7 @@ impl Flats {
 
 /// Whole triangles only.
 fn corners(flat: &Flat) -> impl Iterator<Item = GpuFlatVertex> {
-    let color = flat.color.unwrap_or(LinearRgba::WHITE).0;
+    let color = flat.color.unwrap_or(LinearRgba::WHITE).to_srgb();
     let pick = flat.pick.map_or(0, |id| id.0.get());
     let whole = &flat.points_m[..flat.points_m.len() / 3 * 3];
     whole.iter().map(move |&point| GpuFlatVertex { p_in_world: point.into(), color, pick })

@@ -152,7 +152,7 @@ impl Labels {
             quads.push(GpuQuad {
                 place: [from.x, from.y, size.x, size.y],
                 source: [0.0; 4],
-                color: plate.0,
+                color: plate.to_srgb(),
                 radius: RADIUS_PT * scale,
                 depth,
             });
@@ -162,7 +162,7 @@ impl Labels {
             GpuQuad {
                 place: [corner.x + glyph.at[0], corner.y + glyph.at[1], width, height],
                 source: [x, y, width, height],
-                color: label.color.0,
+                color: label.color.to_srgb(),
                 radius: 0.0,
                 depth,
             }

@@ -133,7 +133,7 @@ fn pieces(line: &Line, width_px: f32) -> impl Iterator<Item = GpuPiece> {
         width_px,
         to_in_world: to.into(),
         pick: line.pick.map_or(0, |id| id.0.get()),
-        color: line.color.0,
+        color: line.color.to_srgb(),
     };
     let points = &line.points_m;
     let dot = (points.len() == 1).then(|| piece(points[0], points[0]));

@@ -53,7 +53,7 @@ impl Outline {
         new_mask: Option<&wgpu::TextureView>,
     ) {
         let roles = [ColorRole::Selected, ColorRole::Hovered];
-        let colors = roles.map(|role| Vec4::from(role.color(scene.theme).0));
+        let colors = roles.map(|role| Vec4::from(role.color(scene.theme).to_srgb()));
         self.colors.write(gpu, &colors);
         if let Some(mask) = new_mask {
             let resources = [

@@ -157,7 +157,9 @@ impl SkinnedMeshes {
             let Some(bounds) = Bounds::of_joints(&body.world_from_joint) else { continue };
             let instance = GpuInstance {
                 tint: Vec4::from(match body.look {
-                    Look::Solid(tint) | Look::Ghost(tint) => tint.0,
+                    Look::Solid(tint) => tint.0,
+                    // No light falls on ghosts: theirs is a stored colour.
+                    Look::Ghost(tint) => tint.to_srgb(),
                 }),
                 first_joint: joints.len() as u32,
                 pick: body.pick.map_or(0, |id| id.0.get()),

@@ -16,7 +16,9 @@ pub(super) fn palm(side: Side, along: Vec3) -> Vec3 {
 }
 
 /// An arm without its hand. Frames have w to the front (the bend of the elbow), v across.
-pub(super) fn arm(arm: &Arm, side: Side, scale: f32) -> Layer {
+///
+/// `breadth` is that of the shoulders, 1 where it is usual.
+pub(super) fn arm(arm: &Arm, side: Side, scale: f32, breadth: f32) -> Layer {
     let mut layer = Layer::default();
     let upper = arm.elbow_m - arm.shoulder_m;
     let fore = arm.wrist_m - arm.elbow_m;
@@ -33,9 +35,10 @@ pub(super) fn arm(arm: &Arm, side: Side, scale: f32) -> Layer {
     ];
     let caps = [0.045 * upper_s, 0.030 * upper_s];
     layer.add(0.0, vec![Shape::Loft(Loft::new(frame, upper.length(), caps, upper_s, &sections))]);
-    // The shoulder's cap.
-    let cap = frame.at(0.030 * scale, 0.0, 0.0) + Vec3::Y * 0.006 * scale;
-    let radii = [0.078, 0.056, 0.060].map(|r| r * scale);
+    // The shoulder's cap; less of it where the joints lie far outside, as CMU's do.
+    let cap_s = scale * breadth.recip().clamp(0.8, 1.1);
+    let cap = frame.at(0.028 * scale, 0.0, 0.0) + Vec3::Y * 0.004 * scale;
+    let radii = [0.076, 0.051, 0.056].map(|r| r * cap_s);
     layer.add(0.03 * scale, vec![Shape::Ball(Frame::new(cap, upper, Vec3::Z), radii)]);
 
     let frame = Frame::new(arm.elbow_m, fore, Vec3::Z);
@@ -52,10 +55,10 @@ pub(super) fn arm(arm: &Arm, side: Side, scale: f32) -> Layer {
         vec![Shape::Loft(Loft::new(frame, fore.length(), caps, fore_s, &sections))],
     );
     // The point of the elbow.
-    let point = arm.elbow_m - frame.w * 0.022 * scale;
+    let point = arm.elbow_m - frame.w * 0.017 * scale;
     layer
-        .add(0.02 * scale, vec![Shape::Ball(Frame::new(point, fore, Vec3::Z), [0.022 * scale; 3])]);
-    layer.grow(0.03 * scale, 1e3 * scale, vec![(hand(arm, side, scale), arm.wrist_m)]);
+        .add(0.02 * scale, vec![Shape::Ball(Frame::new(point, fore, Vec3::Z), [0.019 * scale; 3])]);
+    layer.grow(0.012 * scale, 1e3 * scale, vec![(hand(arm, side, scale), arm.wrist_m)]);
     layer
 }
 
@@ -83,17 +86,17 @@ fn hand(arm: &Arm, side: Side, scale: f32) -> Layer {
         section(0.65, [0.040; 2], [0.014, 0.017]),
         section(1.0, [0.041; 2], [0.0115, 0.0135]),
     ];
-    let palm = Loft::new(frame, 0.088 * s, [0.02 * s, 0.010 * s], s_min, &sections).squared(2.5);
+    let palm = Loft::new(frame, 0.088 * s, [0.02 * s, 0.010 * s], s_min, &sections).squared();
     layer.add(0.0, vec![Shape::Loft(palm)]);
     // (across at the knuckle, length, radius, knuckle along)
     const FINGERS: [(f32, f32, f32, f32); 4] = [
-        (0.0305, 0.078, 0.0098, 0.090),
-        (0.0100, 0.087, 0.0100, 0.093),
-        (-0.0105, 0.080, 0.0096, 0.091),
-        (-0.0300, 0.062, 0.0086, 0.085),
+        (0.0300, 0.078, 0.0092, 0.088),
+        (0.0100, 0.088, 0.0094, 0.091),
+        (-0.0100, 0.081, 0.0091, 0.089),
+        (-0.0292, 0.064, 0.0083, 0.083),
     ];
     for (v, length, r, knuckle) in FINGERS {
-        let splay = v * 0.10;
+        let splay = v * 0.34;
         let bend = |share: f32, drop: f32| {
             at(knuckle + length * share, v + splay * share, -0.002 - drop * length)
         };
@@ -102,7 +105,7 @@ fn hand(arm: &Arm, side: Side, scale: f32) -> Layer {
             let radius = |i: usize| r * (1.0 - 0.07 * i as f32) * s;
             let rod =
                 Shape::Rod { a_m: pair[0], b_m: pair[1], radii_m: [radius(i), radius(i + 1)] };
-            layer.add(if i == 0 { 0.006 * s } else { 0.004 * s }, vec![rod]);
+            layer.add(if i == 0 { 0.007 * s } else { 0.002 * s }, vec![rod]);
         }
     }
     let points = [

@@ -32,13 +32,28 @@ pub(super) struct Limbs {
     reach_m: f32,
 }
 
+/// A plane, such as a sole's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Plane {
+    pub(super) point_m: Vec3,
+    /// Unit length.
+    pub(super) normal: Vec3,
+}
+
+impl Plane {
+    /// How far `p` is on the side of the normal.
+    pub(super) fn above_m(&self, p: Vec3) -> f32 {
+        (p - self.point_m).dot(self.normal)
+    }
+}
+
 /// A part of a body: steps, then limbs, then the floor it stands on.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Layer {
     steps: Vec<Step>,
     limbs: Vec<Limbs>,
-    /// Nothing is below this height; the edge is rounded by the second number.
-    floor_m: Option<[f32; 2]>,
+    /// What it stands on.
+    sole: Option<(Plane, f32)>,
 }
 
 fn bounds_of(boxes: impl Iterator<Item = [Vec3; 2]>) -> [Vec3; 2] {
@@ -50,12 +65,12 @@ fn bounds_of(boxes: impl Iterator<Item = [Vec3; 2]>) -> [Vec3; 2] {
 impl Layer {
     /// Adds solids that flow over `blend_m` into what is there.
     pub(super) fn add(&mut self, blend_m: f32, shapes: Vec<Shape>) {
-        self.step(blend_m, 0.25 * blend_m, shapes, false);
+        self.step(blend_m, 0.6 * blend_m, shapes, false);
     }
 
     /// Takes solids away.
     pub(super) fn carve(&mut self, blend_m: f32, shapes: Vec<Shape>) {
-        self.step(blend_m, 0.25 * blend_m, shapes, true);
+        self.step(blend_m, 0.6 * blend_m, shapes, true);
     }
 
     fn step(&mut self, blend_m: f32, pair_blend_m: f32, shapes: Vec<Shape>, is_carved: bool) {
@@ -71,9 +86,9 @@ impl Layer {
         self.limbs.push(Limbs { layers, blend_m, roots_m, reach_m });
     }
 
-    /// Cuts it level at `height_m`.
-    pub(super) fn stand_on(&mut self, height_m: f32, edge_m: f32) {
-        self.floor_m = Some([height_m, edge_m]);
+    /// Cuts away what is below a plane, with an edge rounded over `edge_m`.
+    pub(super) fn stand_on(&mut self, plane: Plane, edge_m: f32) {
+        self.sole = Some((plane, edge_m));
     }
 
     /// How many steps it has with its limbs.
@@ -125,8 +140,8 @@ impl Layer {
             let blend_m = limbs.blend_m / (1.0 + 9.0 * fade * fade * fade * fade);
             d = smooth_min(d, all, blend_m);
         }
-        if let Some([height_m, edge_m]) = self.floor_m {
-            d = -smooth_min(-d, p.y - height_m, edge_m);
+        if let Some((plane, edge_m)) = self.sole {
+            d = -smooth_min(-d, plane.above_m(p), edge_m);
         }
         d
     }

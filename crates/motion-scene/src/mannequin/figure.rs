@@ -10,6 +10,8 @@ use glam::Vec3;
 
 use crate::body_plan::{BodyPart, BodyPlan, Side};
 
+use super::field::Plane;
+
 /// An arm from the shoulder to the fingertips.
 #[derive(Clone, Debug)]
 pub(super) struct Arm {
@@ -34,8 +36,8 @@ pub(super) struct Leg {
     pub(super) forward: Vec3,
     /// How long the toes are.
     pub(super) toes_m: f32,
-    /// The height of the sole's plane.
-    pub(super) sole_m: f32,
+    /// The sole.
+    pub(super) sole: Plane,
     /// Which joints move the thigh, shin, foot and toes.
     pub(super) movers: [usize; 4],
 }
@@ -180,11 +182,13 @@ impl Figure {
             || neck_m.unwrap_or(chest_m + Vec3::Y * 0.03 * scale) + Vec3::Y * 0.1 * scale,
             |joint| reader.at(joint),
         );
-        // What a file calls the head's end may be its middle: CMU's is.
-        let usual_m = 0.186 * scale;
-        let end_m = head_joint.and_then(|joint| reader.end(joint)).map(|end| end - skull_m);
-        let head_m = end_m.map_or(usual_m, |end| end.y);
-        let head_m = if head_m < 0.16 * scale || head_m > 0.24 * scale { usual_m } else { head_m };
+        // What a file calls the head's end may be its middle, as CMU's is, and a head's joint may
+        // be anywhere from its base to the ears: then shoulders tell better how high the crown is.
+        let usual_m = chest_m.y + 0.32 * scale - skull_m.y;
+        let usual_m = usual_m.clamp(0.13 * scale, 0.21 * scale);
+        let end_m = head_joint.and_then(|joint| reader.end(joint)).map(|end| end.y - skull_m.y);
+        let is_crown = |m: &f32| (0.17 * scale..0.22 * scale).contains(m);
+        let head_m = end_m.filter(is_crown).unwrap_or(usual_m);
         let crown_m = skull_m + Vec3::Y * head_m;
 
         Some(Self {
@@ -341,20 +345,53 @@ fn read_leg(reader: &Reader<'_>, side: Side, scale: f32) -> Option<Leg> {
     let given_m = reader.plan.sole_m[side.idx()];
     let given_m =
         if given_m.is_finite() { given_m.clamp(0.0, 0.25 * scale) } else { 0.025 * scale };
-    let (ball_m, sole_m) = match ball {
-        Some(ball) => (ball, ball.y - given_m),
-        None => {
-            let sole_m = ankle_m.y - given_m;
-            let ball = ankle_m + forward * 0.125 * scale;
-            (Vec3::new(ball.x, sole_m + 0.025 * scale, ball.z), sole_m)
-        }
-    };
+    let toe_end = toes.and_then(|toes| reader.end(toes));
+    let normal = sole_normal(hip_m, knee_m, ankle_m, ball, toe_end, forward);
+    let below = ball.unwrap_or(ankle_m);
+    let sole = Plane { point_m: below - normal * given_m, normal };
+    let ball_m = ball.unwrap_or_else(|| {
+        let ball = ankle_m + forward * 0.125 * scale;
+        ball - normal * (sole.above_m(ball) - 0.025 * scale)
+    });
     let usual_m = 0.070 * scale;
-    let toes_m = toes
-        .and_then(|toes| reader.end(toes))
+    let toes_m = toe_end
         .map(|end| level(end - ball_m).length())
         .filter(|m| (0.045 * scale..0.09 * scale).contains(m))
         .unwrap_or(usual_m);
     let movers = [first, shin.unwrap_or(first), foot_mover, toes.unwrap_or(foot_mover)];
-    Some(Leg { hip_m, knee_m, ankle_m, ball_m, forward, toes_m, sole_m, movers })
+    Some(Leg { hip_m, knee_m, ankle_m, ball_m, forward, toes_m, sole, movers })
+}
+
+/// A leg that leans outwards by more than this is no leg of a standing person (cosine: 12°).
+const PLUMB_COS: f32 = 0.978;
+
+/// Which way a foot's sole looks up in the bind pose.
+///
+/// Straight up, but for skeletons whose zero pose straddles with straight ankles, as CMU's do:
+/// there the foot leans with the leg, and is flat when the leg is plumb (in CMU's walks, planted
+/// feet are turned by 24° from the zero pose, in which shins lean by 20°). Such a foot is known by
+/// a thigh and a shin that lean alike, and a ball of the foot that lies below the ankle along the
+/// shin where the toes tell their direction.
+fn sole_normal(
+    hip_m: Vec3,
+    knee_m: Vec3,
+    ankle_m: Vec3,
+    ball: Option<Vec3>,
+    toe_end: Option<Vec3>,
+    forward: Vec3,
+) -> Vec3 {
+    let across = |from: Vec3, to: Vec3, axis: Vec3| {
+        (to - from).reject_from_normalized(axis).try_normalize().unwrap_or(-Vec3::Y)
+    };
+    let (thigh, shin) = (across(hip_m, knee_m, forward), across(knee_m, ankle_m, forward));
+    let is_straddled = -shin.y < PLUMB_COS && -shin.y > 0.6 && thigh.dot(shin) > PLUMB_COS;
+    let foot_leans = match (ball, toe_end) {
+        (Some(ball), Some(end)) => {
+            let toes = Vec3::new(end.x - ball.x, 0.0, end.z - ball.z);
+            toes.try_normalize()
+                .is_none_or(|toes| across(ankle_m, ball, toes).dot(shin) > PLUMB_COS)
+        }
+        _ => true,
+    };
+    if is_straddled && foot_leans { -shin } else { Vec3::Y }
 }

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::body_plan::Side;
 
-use super::field::Layer;
+use super::field::{Layer, Plane};
 use super::figure::{Arm, Figure, Leg, sign};
 use super::grid::Detail;
 use super::torso::{smooth, trunk_frame};
@@ -27,24 +27,25 @@ impl Human {
         let trunk = torso::trunk(&figure);
         let neck = head::neck(&figure);
         let head = head::head(&figure);
-        let arms =
-            Side::BOTH.map(|side| figure.arms[side.idx()].as_ref().map(|a| arm::arm(a, side, s)));
+        let breadth = figure.half_shoulders_m / (0.18 * s);
+        let arms = Side::BOTH
+            .map(|side| figure.arms[side.idx()].as_ref().map(|a| arm::arm(a, side, s, breadth)));
         let mut body = trunk.clone();
         let mut above = neck.clone();
         let far = 1e3 * s;
-        above.grow(0.022 * s, far, vec![(head.clone(), figure.skull_m)]);
-        body.grow(0.045 * s, far, vec![(above, figure.chest_m)]);
+        above.grow(0.028 * s, far, vec![(head.clone(), figure.skull_m)]);
+        body.grow(0.06 * s, far, vec![(above, figure.chest_m)]);
         let legs = Side::BOTH
             .into_iter()
             .filter_map(|side| Some((side, figure.legs[side.idx()].as_ref()?)))
             .map(|(side, l)| (leg::leg(l, side, s), l.hip_m))
             .collect();
-        body.grow(0.05 * s, 0.16 * s, legs);
+        body.grow(0.07 * s, 0.17 * s, legs);
         let grown = arms
             .iter()
             .zip(&figure.arms)
             .filter_map(|(layer, arm)| Some((layer.clone()?, arm.as_ref()?.shoulder_m)));
-        body.grow(0.06 * s, 0.14 * s, grown.collect());
+        body.grow(0.085 * s, 0.15 * s, grown.collect());
         Self { body, figure, trunk, neck, head, arms }
     }
 
@@ -64,7 +65,7 @@ impl Human {
         let f = &self.figure;
         let mut details = vec![around(&[f.skull_m - Vec3::Y * 0.02 * s, f.crown_m], 0.03, 0.0075)];
         for arm in f.arms.iter().flatten() {
-            details.push(around(&[arm.wrist_m, arm.tip_m], 0.03, 0.0055));
+            details.push(around(&[arm.wrist_m, arm.tip_m], 0.022, 0.0046));
         }
         for leg in f.legs.iter().flatten() {
             details.push(around(&[leg.ankle_m, leg.ball_m], 0.05, 0.009));
@@ -72,20 +73,31 @@ impl Human {
         details
     }
 
-    /// How much more than elsewhere the shape at `p` is to be kept by coarser meshes.
-    pub(super) fn importance(&self, p: Vec3) -> f32 {
+    /// How much more than elsewhere the shape at `p` is to be kept at a level of detail.
+    ///
+    /// The finest is looked at from near, where hands tell most; the others from far, where heads
+    /// do.
+    pub(super) fn importance(&self, p: Vec3, level: usize) -> f32 {
         let (f, s) = (&self.figure, self.figure.scale);
         let near = |at: Vec3, reach: f32| 1.0 - smooth(p.distance(at), 0.5 * reach * s, reach * s);
-        let mut most = 2.0 * near(f.skull_m.lerp(f.crown_m, 0.4) + Vec3::Z * 0.05 * s, 0.14);
+        let is_finest = level == 0;
+        let face = f.skull_m.lerp(f.crown_m, 0.4) + Vec3::Z * 0.05 * s;
+        let mut most = if is_finest { 2.0 } else { 4.0 } * near(face, 0.16);
+        let mut least = 1.0_f32;
         for arm in f.arms.iter().flatten() {
-            most = most.max(2.5 * near(arm.wrist_m.lerp(arm.tip_m, 0.6), 0.13));
+            let hand = near(arm.wrist_m.lerp(arm.tip_m, 0.6), 0.13);
+            if is_finest {
+                most = most.max(5.0 * hand);
+            } else {
+                least = least.min(1.0 - 0.9 * hand);
+            }
             most = most.max(2.0 * near(arm.elbow_m, 0.09)).max(1.5 * near(arm.shoulder_m, 0.12));
         }
         for leg in f.legs.iter().flatten() {
             most = most.max(2.0 * near(leg.knee_m, 0.11)).max(1.0 * near(leg.hip_m, 0.16));
             most = most.max(1.5 * near(leg.ball_m, 0.16)).max(near(leg.ankle_m, 0.12));
         }
-        1.0 + most
+        least * (1.0 + most)
     }
 
     /// The plane in which the body is its own mirror image, if it is.
@@ -113,7 +125,8 @@ impl Human {
                     && is_image(l.ankle_m, r.ankle_m)
                     && is_image(l.ball_m, r.ball_m)
                     && (l.toes_m - r.toes_m).abs() < tolerance_m
-                    && (l.sole_m - r.sole_m).abs() < tolerance_m
+                    && is_image(l.sole.point_m, r.sole.point_m)
+                    && (l.sole.normal + r.sole.normal).x.abs() < 1e-4
             }
             [None, None] => true,
             _ => false,
@@ -121,16 +134,17 @@ impl Human {
         (arms && legs && middle.iter().all(|&p| is_image(p, p))).then_some(x)
     }
 
-    /// The height of the sole at `p`, for points within `slack_m` of it or below.
-    pub(super) fn sole_m(&self, p: Vec3, slack_m: f32) -> Option<f32> {
+    /// The sole below `p`, for points within `slack_m` of it or under it.
+    pub(super) fn sole(&self, p: Vec3, slack_m: f32) -> Option<Plane> {
         let s = self.figure.scale;
-        self.figure.legs.iter().flatten().find_map(|leg| {
-            let middle = leg.ankle_m.lerp(leg.ball_m, 0.5);
-            let aside_m = Vec3::new(p.x - middle.x, 0.0, p.z - middle.z).length();
-            let above_m = p.y - leg.sole_m;
-            let is_near = aside_m < 0.25 * s && above_m > -0.05 * s && above_m < slack_m;
-            is_near.then_some(leg.sole_m)
-        })
+        self.figure.legs.iter().flatten().map(|leg| (leg, leg.sole.above_m(p))).find_map(
+            |(leg, above_m)| {
+                let middle = leg.ankle_m.lerp(leg.ball_m, 0.5);
+                let aside_m = (p - middle).reject_from_normalized(leg.sole.normal).length();
+                let is_near = aside_m < 0.2 * s && above_m > -0.05 * s && above_m < slack_m;
+                is_near.then_some(leg.sole)
+            },
+        )
     }
 
     /// Which joints move the skin at `p`.
@@ -207,21 +221,21 @@ impl Human {
             direction(arm.wrist_m, arm.tip_m),
         );
         let out = (p - arm.shoulder_m).dot(upper);
-        if out < -0.09 * s {
+        if out < -0.10 * s {
             return;
         }
         let on_arm = self.trunk.distance_m(p) - layer.distance_m(p);
         let member = smooth(on_arm, -0.03 * s, 0.03 * s);
-        let taken = smooth(out, -0.075 * s, 0.065 * s) * member;
+        let taken = smooth(out, -0.085 * s, 0.085 * s) * member;
         weights.take(arm.movers[1], taken);
-        if taken <= 0.0 || out < 0.02 * s {
+        if taken <= 0.0 || out < 0.03 * s {
             return;
         }
         let radius = 0.042 * s;
         let front = Vec3::Z.reject_from_normalized(fore);
         // The point of the elbow belongs to the forearm.
         let elbow =
-            Bend { at: arm.elbow_m, from: upper, to: fore, radius, flexes: front, shift: -0.45 };
+            Bend { at: arm.elbow_m, from: upper, to: fore, radius, flexes: front, shift: -0.7 };
         weights.pass_on(arm.movers[1], arm.movers[2], elbow.share(p));
         let along = (p - arm.wrist_m).dot((fore + hand).normalize_or_zero());
         weights.pass_on(arm.movers[2], arm.movers[3], smooth(along, -0.045 * s, 0.022 * s));
@@ -260,7 +274,7 @@ impl Human {
             to: shin,
             radius: 0.052 * s,
             flexes: -front,
-            shift: 0.5,
+            shift: 0.75,
         };
         weights.pass_on(leg.movers[0], leg.movers[1], knee.share(p));
         let across = (shin + 0.35 * leg.forward).normalize_or_zero();
@@ -298,7 +312,7 @@ impl Bend {
         let q = p - self.at;
         let closing = smooth(q.dot(self.flexes.normalize_or_zero()) / self.radius, -0.9, 0.7);
         let center = self.shift * self.radius * (1.0 - closing);
-        let reach = self.radius * (0.55 + 0.30 * closing);
+        let reach = self.radius * (0.45 + 0.40 * closing);
         smooth(q.dot(along), center - reach, center + reach)
     }
 }

@@ -22,14 +22,14 @@ pub(super) fn leg(leg: &Leg, side: Side, scale: f32) -> Layer {
     let frame = Frame::new(leg.hip_m, thigh, Vec3::Z);
     let frame = towards_right(frame);
     let sections = [
-        section(0.0, lateral(0.070, 0.082), [0.084, 0.090]),
-        section(0.15, lateral(0.077, 0.082), [0.084, 0.088]),
-        section(0.35, lateral(0.071, 0.075), [0.080, 0.078]),
+        section(0.0, lateral(0.068, 0.068), [0.080, 0.085]),
+        section(0.15, lateral(0.080, 0.075), [0.083, 0.087]),
+        section(0.35, lateral(0.074, 0.073), [0.080, 0.078]),
         section(0.60, lateral(0.060, 0.063), [0.070, 0.064]),
         section(0.82, lateral(0.052, 0.051), [0.057, 0.053]),
         section(1.0, lateral(0.049, 0.047), [0.050, 0.049]),
     ];
-    let caps = [0.07 * thigh_s, 0.045 * thigh_s];
+    let caps = [0.11 * thigh_s, 0.045 * thigh_s];
     layer.add(0.0, vec![Shape::Loft(Loft::new(frame, thigh.length(), caps, thigh_s, &sections))]);
 
     let frame = towards_right(Frame::new(leg.knee_m, shin, Vec3::Z));
@@ -48,10 +48,10 @@ pub(super) fn leg(leg: &Leg, side: Side, scale: f32) -> Layer {
         vec![Shape::Loft(Loft::new(frame, shin.length(), caps, shin_s, &sections))],
     );
     // The knee-cap.
-    let cap = leg.knee_m + frame.w * 0.036 * scale - frame.u * 0.006 * scale;
-    let radii = [0.036, 0.030, 0.022].map(|r| r * scale);
+    let cap = leg.knee_m + frame.w * 0.026 * scale - frame.u * 0.010 * scale;
+    let radii = [0.062, 0.030, 0.019].map(|r| r * scale);
     layer.add(0.03 * scale, vec![Shape::Ball(Frame::new(cap, shin, Vec3::Z), radii)]);
-    layer.grow(0.035 * scale, 1e3 * scale, vec![(foot(leg, side, scale), leg.ankle_m)]);
+    layer.grow(0.025 * scale, 1e3 * scale, vec![(foot(leg, side, scale), leg.ankle_m)]);
     layer
 }
 
@@ -66,25 +66,26 @@ fn towards_right(frame: Frame) -> Frame {
 /// proportions keep their ball at the toe joint.
 fn foot(leg: &Leg, side: Side, scale: f32) -> Layer {
     let s = scale;
-    let ankle_m = (leg.ankle_m.y - leg.sole_m).clamp(0.035 * s, 0.11 * s);
+    let up = leg.sole.normal;
+    let ankle_m = leg.sole.above_m(leg.ankle_m).clamp(0.035 * s, 0.11 * s);
     let ball_along = (leg.ball_m - leg.ankle_m).dot(leg.forward).clamp(0.06 * s, 0.2 * s);
     let heel_m = 0.050 * s;
-    let round_m = 0.022 * s;
+    let round_m = 0.024 * s;
     let length_m = heel_m + ball_along + leg.toes_m - 2.0 * round_m;
-    let inward = Vec3::Y.cross(leg.forward) * -sign(side);
-    let origin =
-        Vec3::new(leg.ankle_m.x, leg.sole_m, leg.ankle_m.z) - leg.forward * (heel_m - round_m);
-    // v towards the other foot, w up.
-    let frame = Frame { origin_m: origin, u: leg.forward, v: inward, w: Vec3::Y };
+    // Towards the other foot.
+    let inward = up.cross(leg.forward) * -sign(side);
+    let under = leg.ankle_m - up * leg.sole.above_m(leg.ankle_m);
+    let origin = under - leg.forward * (heel_m - round_m);
+    let frame = Frame { origin_m: origin, u: leg.forward, v: inward, w: up };
     let t = |from_ankle: f32| (heel_m - round_m + from_ankle) / length_m;
     let ball_t = t(ball_along);
     let top = |height_m: f32| [height_m / s, 0.020];
-    let low = (leg.ball_m.y - leg.sole_m).clamp(0.015 * s, 0.06 * s);
+    let low = leg.sole.above_m(leg.ball_m).clamp(0.015 * s, 0.06 * s);
     let ball_top = (low + 0.016 * s).clamp(0.034 * s, 0.06 * s);
     let instep = |share: f32| ball_top + (ankle_m + 0.012 * s - ball_top) * share;
     let sections: Vec<Section> = vec![
-        section(0.0, [0.028, 0.028], top((ankle_m * 0.85).max(0.04 * s))),
-        section(t(0.0), [0.031, 0.032], top(ankle_m)),
+        section(0.0, [0.031, 0.031], top((ankle_m * 0.85).max(0.04 * s))),
+        section(t(0.0), [0.034, 0.035], top(ankle_m)),
         section(t(0.35 * ball_along), [0.031, 0.036], top(instep(0.72))),
         section(t(0.70 * ball_along), [0.038, 0.041], top(instep(0.28))),
         section(ball_t, [0.045, 0.044], top(ball_top)),
@@ -92,15 +93,16 @@ fn foot(leg: &Leg, side: Side, scale: f32) -> Layer {
         section(1.0, [0.034, 0.026], top(0.66 * ball_top)).around(0.008, 0.0),
     ];
     let mut layer = Layer::default();
-    let tube = Loft::new(frame, length_m, [round_m * 1.1, round_m], s, &sections).squared(2.4);
+    let tube = Loft::new(frame, length_m, [round_m * 1.1, round_m], s, &sections).squared();
     layer.add(0.0, vec![Shape::Loft(tube)]);
     let ankle = leg.ankle_m;
     let bones = [
-        ankle + inward * 0.026 * s + Vec3::Y * 0.004 * s,
-        ankle - inward * 0.027 * s - Vec3::Y * 0.006 * s,
+        ankle + inward * 0.0215 * s + up * 0.002 * s,
+        ankle - inward * 0.0215 * s - up * 0.008 * s,
     ];
-    let knob = |p: Vec3| Shape::Ball(Frame::new(p, Vec3::Y, Vec3::Z), [0.016 * s; 3]);
-    layer.add(0.02 * s, bones.map(knob).to_vec());
-    layer.stand_on(leg.sole_m, 0.004 * s);
+    let knob =
+        |p: Vec3| Shape::Ball(Frame::new(p, up, leg.forward), [0.015 * s, 0.013 * s, 0.014 * s]);
+    layer.add(0.03 * s, bones.map(knob).to_vec());
+    layer.stand_on(leg.sole, 0.014 * s);
     layer
 }

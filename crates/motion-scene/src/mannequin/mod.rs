@@ -1,25 +1,47 @@
 //! A neutral mannequin around any skeleton, made by code from the skeleton alone.
 //!
+//! ```
+//! use glam::{Quat, Vec3};
+//! use motion_scene::body_plan::{BodyPlan, PlanJoint};
+//! use motion_scene::mannequin::mannequin;
+//!
+//! let joint = |parent, position_m| PlanJoint {
+//!     parent,
+//!     position_m,
+//!     world_from_joint: Quat::IDENTITY,
+//!     end_m: None,
+//!     part: None,
+//! };
+//! let joints = vec![joint(None, Vec3::ZERO), joint(Some(0), Vec3::Y)];
+//! let model = mannequin(&BodyPlan { joints, sole_m: [0.0; 2] });
+//! assert!(model.levels()[0].triangles().len() > 100);
+//! ```
+//!
 //! **Method.** The body is a signed distance field ([`field`]): tapered, lopsided elliptic tubes
 //! and ellipsoids ([`shape`]) for trunk, head, arms and legs ([`torso`], [`head`], [`arm`],
 //! [`leg`]), which flow into each other by smooth minima along the bone tree only, so that an arm
 //! never grows together with the flank it hangs beside. Surface nets on a grid that is finer at
-//! head, hands and feet make triangles of it ([`surface`], [`grid`]); edge collapses make the
-//! levels of detail ([`simplify`]); the finer levels' vertices are put back onto the surface, and
-//! normals are its gradient.
+//! head, hands and feet make triangles of it ([`surface`], [`search`], [`grid`]); edge collapses
+//! make the levels of detail ([`simplify`]); the finer levels' vertices are put back onto the
+//! surface, and normals are its gradient. Of a body that is its own mirror image one half is made.
 //!
-//! **Proportions.** All sizes are for a body of 1.75 m and scale with the plan's bones; the shares
-//! of body height are those of Drillis and Contini as printed by Winter ([`figure`]). Girths are
-//! between a woman's and a man's. A plan that lacks parts gets them where they usually are.
+//! **Proportions.** All tables are for a body of 1.75 m and scale with the plan's bones. The shares
+//! of body height are those of Drillis and Contini (1966) as printed by Winter ([`figure`]). Girths
+//! were chosen by eye, between a woman's and a man's; such a body has 60 litres. A plan that lacks
+//! parts gets them where they usually are.
 //!
-//! **Feet.** The sole is a level plane `sole_m` below the toe joint of the bind pose, heel
-//! included, cut from the foot exactly: a foot in its bind orientation whose toe joint is that
-//! high touches the floor, and no part of it is below.
+//! **Feet.** The sole is a plane `sole_m` below the toe joint of the bind pose (the ankle without
+//! one), heel included: a flat foot whose joint is that high touches the floor, and nothing of it
+//! is below. It is level in the bind pose, but for a zero pose that straddles with straight ankles,
+//! as CMU's does, where it leans with the shin; [`figure`] tells how that is seen.
 //!
 //! **Skin.** Shares are smooth functions of the place in the bind pose ([`human`]). Kneecaps stay
-//! with the thigh and elbow points with the forearm, which keeps bent limbs whole.
+//! with the thigh and elbow points with the forearm, which keeps the corners of bent limbs. Joints
+//! at the same place count as the last of them; joints below a hand are ignored, since captured
+//! fingers turn over.
 //!
-//! Everything is computed from the plan in one order: the same plan gives the same bytes.
+//! **Same plan, same bytes**, on any number of threads: threads share out places, each of which is
+//! computed alone.
 
 mod arm;
 mod field;
@@ -29,6 +51,7 @@ mod grid;
 mod head;
 mod human;
 mod leg;
+mod search;
 mod shape;
 mod simplify;
 mod surface;
@@ -38,12 +61,13 @@ mod weights;
 use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
+use rayon::prelude::*;
 
 use crate::body_plan::BodyPlan;
 use crate::color::LinearRgba;
 use crate::mesh::{BodyModel, Material, MeshPart, SkinnedMesh, Vertex};
 
-use field::{Field, Layer};
+use field::{Field, Layer, Plane};
 use figure::Figure;
 use generic::Generic;
 use grid::{Detail, Grid};
@@ -56,7 +80,7 @@ use weights::Weights;
 pub const LEVEL_TRIANGLES: [usize; 4] = [14_000, 4_000, 1_200, 400];
 
 /// The step of the grid where there is no detail, for a body of 1.75 m.
-const STEP_M: f32 = 0.0135;
+const STEP_M: f32 = 0.015;
 
 /// Joints after these have no skin.
 const MAX_JOINTS: usize = 1 << 16;
@@ -144,9 +168,9 @@ impl Body {
         }
     }
 
-    fn importance(&self, p: Vec3) -> f32 {
+    fn importance(&self, p: Vec3, level: usize) -> f32 {
         match self {
-            Self::Human(human) => human.importance(p),
+            Self::Human(human) => human.importance(p, level),
             Self::Generic(_) => 1.0,
         }
     }
@@ -158,9 +182,9 @@ impl Body {
         }
     }
 
-    fn sole_m(&self, p: Vec3, slack_m: f32) -> Option<f32> {
+    fn sole(&self, p: Vec3, slack_m: f32) -> Option<Plane> {
         match self {
-            Self::Human(human) => human.sole_m(p, slack_m),
+            Self::Human(human) => human.sole(p, slack_m),
             Self::Generic(_) => None,
         }
     }
@@ -180,14 +204,16 @@ fn raw_levels(body: &Body) -> Vec<RawLevel> {
     let middle_x_m = mirror_x_m.unwrap_or(0.5 * (bounds_m[0].x + bounds_m[1].x));
     let grid =
         Grid::new(bounds_m, middle_x_m, mirror_x_m.is_some(), STEP_M * scale, &body.details());
-    let raw = surface::polygonise(Field::new(layer), &grid);
-    let importance: Vec<f32> = raw.positions_m.iter().map(|&p| body.importance(p)).collect();
-    let mut simplifier = Simplifier::new(&raw, mirror_x_m, &importance);
+    let mut raw = surface::polygonise(Field::new(layer), &grid);
     let halves = if mirror_x_m.is_some() { 2 } else { 1 };
     let mut levels: Vec<RawLevel> = Vec::new();
     for (idx, n_triangles) in LEVEL_TRIANGLES.into_iter().enumerate() {
+        let importance =
+            raw.positions_m.par_iter().map(|&p| body.importance(p, idx)).collect::<Vec<_>>();
+        let mut simplifier = Simplifier::new(&raw, mirror_x_m, &importance);
         simplifier.reduce_to(n_triangles / halves);
-        let mut mesh = simplifier.mesh();
+        raw = simplifier.mesh();
+        let mut mesh = raw.clone();
         let before = levels.last().map_or(usize::MAX, |level| level.mesh.triangles.len());
         if mesh.triangles.len() * halves >= before {
             break;
@@ -214,29 +240,31 @@ fn raw_levels(body: &Body) -> Vec<RawLevel> {
 /// triangles) and the sole's onto the floor; gives the normals there.
 fn settle(body: &Body, mesh: &mut RawMesh, mirror_x_m: Option<f32>, level: usize) -> Vec<Vec3> {
     let scale = body.scale();
-    let field = Field::new(body.layer());
+    let everywhere = Field::new(body.layer());
     let step_m = 0.0015 * scale;
     let n_steps = [2, 1, 0, 0][level];
-    let mut normals = Vec::with_capacity(mesh.positions_m.len());
-    for p in &mut mesh.positions_m {
+    let put = |p: Vec3| -> (Vec3, Vec3) {
         let border_x_m = mirror_x_m.filter(|&x| p.x == x);
-        let mut gradient = Vec3::Y;
+        let (mut p, mut gradient) = (p, Vec3::Y);
+        let field = everywhere.within(p, 0.012 * scale, 0.0);
         for _ in 0..n_steps {
-            gradient = field.gradient(*p, step_m);
-            let move_m = -field.distance_m(*p) * gradient / gradient.length_squared().max(0.05);
-            *p += move_m.clamp_length_max(0.004 * scale);
+            gradient = field.gradient(p, step_m);
+            let move_m = -field.distance_m(p) * gradient / gradient.length_squared().max(0.05);
+            p += move_m.clamp_length_max(0.004 * scale);
             if let Some(x) = border_x_m {
                 p.x = x;
             }
         }
-        let steepest = field.gradient(*p, step_m * (1 << level) as f32);
-        gradient = if steepest.length() > 1e-3 { steepest } else { gradient };
+        let wide = field.gradient(p, step_m * (1 << level) as f32);
+        gradient = if wide.length() > 1e-3 { wide } else { gradient };
         if border_x_m.is_some() {
             gradient.x = 0.0;
         }
-        let normal = gradient.try_normalize().unwrap_or(Vec3::Y);
-        normals.push(normal);
-    }
+        (p, gradient.try_normalize().unwrap_or(Vec3::Y))
+    };
+    let settled: Vec<(Vec3, Vec3)> = mesh.positions_m.par_iter().map(|&p| put(p)).collect();
+    let normals = settled.iter().map(|s| s.1).collect();
+    mesh.positions_m = settled.into_iter().map(|s| s.0).collect();
     lay_soles(body, mesh, [0.003, 0.005, 0.010, 0.020][level] * scale);
     normals
 }
@@ -247,17 +275,17 @@ fn lay_soles(body: &Body, mesh: &mut RawMesh, slack_m: f32) {
     let mut is_sole = vec![false; mesh.positions_m.len()];
     for t in &mesh.triangles {
         let [a, b, c] = t.map(|v| mesh.positions_m[v as usize]);
-        let looks_down = (b - a).cross(c - a).try_normalize().is_some_and(|n| n.y < -0.85);
-        if looks_down && [a, b, c].iter().all(|&p| body.sole_m(p, slack_m).is_some()) {
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        let lies = |p: &Vec3| body.sole(*p, slack_m).is_some_and(|s| s.normal.dot(normal) < -0.85);
+        if [a, b, c].iter().all(lies) {
             for v in t {
                 is_sole[*v as usize] = true;
             }
         }
     }
     for (p, is_sole) in mesh.positions_m.iter_mut().zip(is_sole) {
-        let slack_m = if is_sole { slack_m } else { 0.0 };
-        if let Some(sole_m) = body.sole_m(*p, slack_m) {
-            p.y = sole_m;
+        if let Some(sole) = body.sole(*p, if is_sole { slack_m } else { 0.0 }) {
+            *p -= sole.normal * sole.above_m(*p);
         }
     }
 }
@@ -267,7 +295,7 @@ fn skinned(body: &Body, raw: RawLevel, joint_from_mesh: &[Mat4]) -> Option<Skinn
     let vertices = raw
         .mesh
         .positions_m
-        .iter()
+        .par_iter()
         .zip(&raw.normals)
         .map(|(&position_m, &normal)| {
             let (joints, weights) = body.weights(position_m).four();

@@ -69,8 +69,8 @@ pub(super) struct Loft {
     length_m: f32,
     /// How far the ends are rounded beyond the first and the last section.
     caps_m: [f32; 2],
-    /// 2 for ellipses; more for boxes with round edges.
-    exponent: f32,
+    /// Whether its sections are boxes with round edges, Σ|x|^2.5 = 1, not ellipses.
+    is_squared: bool,
     samples: Vec<[f32; 6]>,
 }
 
@@ -98,12 +98,12 @@ impl Loft {
             })
             .collect();
         let caps_m = caps_m.map(|cap| cap.max(tiny));
-        Self { frame, length_m: length_m.max(tiny), caps_m, exponent: 2.0, samples }
+        Self { frame, length_m: length_m.max(tiny), caps_m, is_squared: false, samples }
     }
 
     /// The same tube with boxier sections.
-    pub(super) fn squared(mut self, exponent: f32) -> Self {
-        self.exponent = exponent;
+    pub(super) fn squared(mut self) -> Self {
+        self.is_squared = true;
         self
     }
 
@@ -133,27 +133,34 @@ impl Loft {
         ];
         // Inside, the ends may be nearer than the sides.
         let end = (u - self.length_m - self.caps_m[1]).max(-u - self.caps_m[0]);
-        ellipsoid_m([beyond, v, w], radii, self.exponent).max(end)
+        let sides = if self.is_squared { squared_m } else { ellipsoid_m };
+        sides([beyond, v, w], radii).max(end)
     }
 }
 
-/// First-order distance to Σ|xᵢ/rᵢ|ⁿ = 1.
-fn ellipsoid_m(x: [f32; 3], r: [f32; 3], exponent: f32) -> f32 {
+/// First-order distance to Σ(xᵢ/rᵢ)² = 1; inside no more than the lesser of the last two radii.
+fn ellipsoid_m(x: [f32; 3], r: [f32; 3]) -> f32 {
+    let s: [f32; 3] = std::array::from_fn(|i| x[i] / r[i]);
+    let g: [f32; 3] = std::array::from_fn(|i| s[i] / r[i]);
+    let k0 = (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]).sqrt();
+    let k1 = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).sqrt();
+    let depth = r[1].min(r[2]);
+    if k1 < 1e-12 { -depth } else { (k0 * (k0 - 1.0) / k1).max(-depth) }
+}
+
+/// The same for Σ|xᵢ/rᵢ|^2.5 = 1.
+fn squared_m(x: [f32; 3], r: [f32; 3]) -> f32 {
     let s: [f32; 3] = std::array::from_fn(|i| (x[i] / r[i]).abs());
-    if exponent == 2.0 {
-        let k0 = (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]).sqrt();
-        let g: [f32; 3] = std::array::from_fn(|i| s[i] / r[i]);
-        let k1 = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).sqrt();
-        let depth = r[1].min(r[2]);
-        return if k1 < 1e-12 { -depth } else { (k0 * (k0 - 1.0) / k1).max(-depth) };
-    }
-    let sum: f32 = s.iter().map(|s| s.powf(exponent)).sum();
-    let f = sum.powf(1.0 / exponent);
+    let depth = r[1].min(r[2]);
+    let f = s.iter().map(|&s| s * s * s.sqrt()).sum::<f32>().powf(0.4);
     if f < 1e-6 {
-        return -r[1].min(r[2]);
+        return -depth;
     }
-    let g: [f32; 3] = std::array::from_fn(|i| (s[i] / f).powf(exponent - 1.0) / r[i]);
-    ((f - 1.0) / (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).sqrt()).max(-r[1].min(r[2]))
+    let g: [f32; 3] = std::array::from_fn(|i| {
+        let share = s[i] / f;
+        share * share.sqrt() / r[i]
+    });
+    ((f - 1.0) / (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).sqrt()).max(-depth)
 }
 
 /// Monotone cubic interpolation (Fritsch and Carlson 1980): no bulge that the table does not name.
@@ -215,7 +222,7 @@ impl Shape {
     pub(super) fn distance_m(&self, p: Vec3) -> f32 {
         match self {
             Self::Loft(loft) => loft.distance_m(p),
-            Self::Ball(frame, radii) => ellipsoid_m(frame.local(p), *radii, 2.0),
+            Self::Ball(frame, radii) => ellipsoid_m(frame.local(p), *radii),
             Self::Rod { a_m, b_m, radii_m } => {
                 let axis = *b_m - *a_m;
                 let t = (p - *a_m).dot(axis) / axis.length_squared().max(1e-12);

@@ -6,9 +6,11 @@
 //! two pieces; corners are filled until none is (Latecki 1995, "well-composed" pictures).
 
 use glam::Vec3;
+use rayon::prelude::*;
 
 use super::field::Field;
 use super::grid::Grid;
+use super::search::{BLOCK_CELLS, Found, Search};
 
 /// Triangles and nothing else.
 #[derive(Clone, Debug, Default)]
@@ -39,19 +41,13 @@ impl RawMesh {
     }
 }
 
-/// Grid cells of a block that is halved until it is this small.
-const LEAF_CELLS: usize = 2;
-const ROOT_CELLS: usize = 16;
-
-/// How much longer a way may be than the field says; see `shape.rs`.
-const SLACK: f32 = 1.5;
-
 const UNKNOWN: f32 = f32::NAN;
 const NO_VERTEX: u32 = u32::MAX;
 
-struct Net<'a> {
+/// A surface being found.
+pub(super) struct Net<'a> {
     field: Field<'a>,
-    grid: &'a Grid,
+    pub(super) grid: &'a Grid,
     size: [usize; 3],
     /// The field at corners that were asked.
     values: Vec<f32>,
@@ -75,7 +71,7 @@ pub(super) fn polygonise(field: Field<'_>, grid: &Grid) -> RawMesh {
 }
 
 impl Net<'_> {
-    fn corner_idx(&self, at: [usize; 3]) -> usize {
+    pub(super) fn corner_idx(&self, at: [usize; 3]) -> usize {
         (at[2] * self.size[1] + at[1]) * self.size[0] + at[0]
     }
 
@@ -89,37 +85,52 @@ impl Net<'_> {
         [1, self.size[0], self.size[0] * self.size[1]]
     }
 
-    /// The value at a corner, from `field` where it was not asked yet. The column before a
-    /// mirror's is its image.
-    fn ask(&mut self, field: &Field<'_>, at: [usize; 3]) -> f32 {
-        let idx = self.corner_idx(at);
-        if self.values[idx].is_nan() {
-            let is_image = self.grid.mirror_x_m.is_some() && at[0] == 0;
-            self.values[idx] = if is_image {
-                self.ask(field, [1, at[1], at[2]])
-            } else {
-                let d = field.distance_m(self.grid.corner_m(at));
-                // Nothing leaves the grid.
-                let is_outermost = (0..3).any(|i| at[i] == 0 || at[i] + 1 == self.size[i]);
-                let least = if is_outermost { 1e-6 } else { f32::MIN };
-                if d.is_finite() { d.max(least) } else { 1e9 }
-            };
-        }
-        self.values[idx]
-    }
-
     fn find_cells(&mut self) {
         let n: [usize; 3] = self.size.map(|corners| corners - 1);
-        for z in (0..n[2]).step_by(ROOT_CELLS) {
-            for y in (0..n[1]).step_by(ROOT_CELLS) {
-                for x in (0..n[0]).step_by(ROOT_CELLS) {
+        let mut blocks: Vec<[[usize; 3]; 2]> = Vec::new();
+        for z in (0..n[2]).step_by(BLOCK_CELLS) {
+            for y in (0..n[1]).step_by(BLOCK_CELLS) {
+                for x in (0..n[0]).step_by(BLOCK_CELLS) {
                     let low = [x, y, z];
-                    let high = std::array::from_fn(|i| (low[i] + ROOT_CELLS).min(n[i]));
-                    let field = self.field.clone();
-                    self.search(&field, low, high);
+                    blocks.push([low, std::array::from_fn(|i| (low[i] + BLOCK_CELLS).min(n[i]))]);
                 }
             }
         }
+        let this = &*self;
+        let found: Vec<Found> = blocks
+            .par_iter()
+            .map(|&[low, high]| Search::run(this, &this.field, low, high))
+            .collect();
+        // Corners on a block's side were asked from both; the first answer stays.
+        for found in found {
+            for (idx, value) in found.corners {
+                if self.values[idx].is_nan() {
+                    self.values[idx] = value;
+                }
+            }
+            for at in found.cells {
+                self.add_cell(at);
+            }
+        }
+    }
+
+    /// The field at a corner; the column before a mirror's is its image, and nothing leaves the
+    /// grid.
+    pub(super) fn value(&self, field: &Field<'_>, at: [usize; 3]) -> f32 {
+        let is_image = self.grid.mirror_x_m.is_some() && at[0] == 0;
+        let at = if is_image { [1, at[1], at[2]] } else { at };
+        let d = field.distance_m(self.grid.corner_m(at));
+        let is_outermost = (0..3).any(|i| at[i] == 0 || at[i] + 1 == self.size[i]);
+        let least = if is_outermost { 1e-6 } else { f32::MIN };
+        if d.is_finite() { d.max(least) } else { 1e9 }
+    }
+
+    fn ask(&mut self, field: &Field<'_>, at: [usize; 3]) -> f32 {
+        let idx = self.corner_idx(at);
+        if self.values[idx].is_nan() {
+            self.values[idx] = self.value(field, at);
+        }
+        self.values[idx]
     }
 
     fn add_cell(&mut self, at: [usize; 3]) {
@@ -164,46 +175,6 @@ impl Net<'_> {
                         self.ask(&field, std::array::from_fn(|axis| beyond[axis] + bit(axis)));
                     }
                     self.add_cell(beyond);
-                }
-            }
-        }
-    }
-
-    /// Finds the cells of a block that the surface may cross.
-    fn search(&mut self, field: &Field<'_>, low: [usize; 3], high: [usize; 3]) {
-        let (a, b) = (self.grid.corner_m(low), self.grid.corner_m(high));
-        let (center, radius_m) = (0.5 * (a + b), 0.5 * a.distance(b));
-        let d_m = field.distance_m(center);
-        if d_m.abs() > SLACK * radius_m {
-            return;
-        }
-        let longest = (0..3).map(|i| high[i] - low[i]).max().unwrap_or(0);
-        if longest <= LEAF_CELLS {
-            for z in low[2]..=high[2] {
-                for y in low[1]..=high[1] {
-                    for x in low[0]..=high[0] {
-                        self.ask(field, [x, y, z]);
-                        if x < high[0] && y < high[1] && z < high[2] {
-                            self.add_cell([x, y, z]);
-                        }
-                    }
-                }
-            }
-            return;
-        }
-        let near = field.within(center, radius_m, d_m);
-        let cuts: [Vec<usize>; 3] = std::array::from_fn(|i| {
-            let n = high[i] - low[i];
-            if n <= LEAF_CELLS {
-                vec![low[i], high[i]]
-            } else {
-                vec![low[i], low[i] + n / 2, high[i]]
-            }
-        });
-        for z in cuts[2].windows(2) {
-            for y in cuts[1].windows(2) {
-                for x in cuts[0].windows(2) {
-                    self.search(&near, [x[0], y[0], z[0]], [x[1], y[1], z[1]]);
                 }
             }
         }

@@ -19,7 +19,10 @@ fn lit(albedo: vec3f, roughness: f32, normal: vec3f, to_eye: vec3f, visibility: 
     let smith = 0.5 / mix(2.0 * n_dot_l * n_dot_v, n_dot_l + n_dot_v, alpha);
     let fresnel = 0.04 + 0.96 * pow(1.0 - v_dot_h, 5.0);
     let from_key = frame.key.xyz * (n_dot_l * visibility) * (albedo / PI + distribution * smith * fresnel);
-    let above = 0.5 + 0.5 * normal.y;
+    // The brightest of the sky is behind the camera's left shoulder, so that shaded sides have
+    // shape from wherever they are seen.
+    let brightest = normalize(vec3f(0.0, 1.2, 0.0) - 0.55 * frame.forward.xyz - 0.4 * frame.right.xyz);
+    let above = 0.5 + 0.5 * dot(normal, brightest);
     let ambient = mix(frame.bounce_light.xyz, frame.sky_light.xyz, above);
     // Grazing surfaces mirror what surrounds them: edges stand out from a dark background.
     let edge = 0.35 * pow(1.0 - n_dot_v, 4.0);

@@ -2,14 +2,14 @@
 
 use glam::{Mat4, Quat, Vec3};
 use motion_render::skinning_check::positions_on_device_m;
-use motion_render::testing::gpu_or_skip;
 use motion_scene::mesh::SkinnedMesh;
 
 use crate::bodies::tube;
+use crate::pictures::gpu;
 
 #[test]
 fn the_device_skins_as_the_processor_does() {
-    let Some(gpu) = gpu_or_skip() else { return };
+    let Some(gpu) = gpu() else { return };
     let mesh = tube(40, None);
     for k in 0..8 {
         let bend = k as f32 * 0.4;

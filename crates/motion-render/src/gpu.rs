@@ -48,6 +48,7 @@ pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter_name: String,
+    is_software: bool,
     counters: Arc<Counters>,
     is_lost: Arc<AtomicBool>,
 }
@@ -63,26 +64,15 @@ impl Gpu {
         let no_adapter = |error: &dyn std::fmt::Display| {
             NoAdapter(error.to_string().lines().next().unwrap_or_default().to_owned())
         };
-        let instance =
-            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let backends = wgpu::Backends::from_env().unwrap_or_default();
-        let wanted = std::env::var("WGPU_ADAPTER_NAME").unwrap_or_default().to_lowercase();
-        let mut adapters = instance.enumerate_adapters(backends).await;
-        adapters.retain(|adapter| {
-            let info = adapter.get_info();
-            // OpenGL without a window cannot be had everywhere and is never the better choice.
-            let is_gl =
-                info.backend == wgpu::Backend::Gl && backends.contains(wgpu::Backends::VULKAN);
-            info.name.to_lowercase().contains(&wanted) && !is_gl
-        });
-        // Stable: of equals the first, which the driver's loader prefers.
-        adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type, choice));
-        let adapter = match adapters.into_iter().next() {
+        let allowed = wgpu::Backends::from_env().unwrap_or_default();
+        // OpenGL without a window cannot be had everywhere, and its libraries complain on the
+        // terminal: only where there is nothing better.
+        let better = allowed.difference(wgpu::Backends::GL);
+        let adapter = match best_adapter(better, choice).await {
             Some(adapter) => adapter,
-            None => instance
-                .request_adapter(&wgpu::RequestAdapterOptions::default())
+            None => best_adapter(allowed.intersection(wgpu::Backends::GL), choice)
                 .await
-                .map_err(|error| no_adapter(&error))?,
+                .ok_or_else(|| no_adapter(&"no Vulkan, Metal, Direct3D or OpenGL driver"))?,
         };
         let info = adapter.get_info();
         let (device, queue) = adapter
@@ -93,16 +83,27 @@ impl Gpu {
             })
             .await
             .map_err(|error| no_adapter(&error))?;
-        Ok(Self::from_parts(device, queue, format!("{} ({})", info.name, info.backend)))
+        Ok(Self::from_parts(device, queue, &info))
     }
 
     /// Draws with a device that somebody else opened and owns, with at least the limits of
     /// [`required_limits`].
-    pub fn from_parts(device: wgpu::Device, queue: wgpu::Queue, adapter_name: String) -> Self {
+    pub fn from_parts(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        adapter: &wgpu::AdapterInfo,
+    ) -> Self {
         let is_lost = Arc::new(AtomicBool::new(false));
         let lost = Arc::clone(&is_lost);
         device.set_device_lost_callback(move |_, _| lost.store(true, Ordering::Release));
-        Self { device, queue, adapter_name, counters: Arc::default(), is_lost }
+        Self {
+            device,
+            queue,
+            adapter_name: format!("{} ({})", adapter.name, adapter.backend),
+            is_software: adapter.device_type == wgpu::DeviceType::Cpu,
+            counters: Arc::default(),
+            is_lost,
+        }
     }
 
     /// The device.
@@ -118,6 +119,11 @@ impl Gpu {
     /// What draws, for a person.
     pub fn adapter_name(&self) -> &str {
         &self.adapter_name
+    }
+
+    /// Whether the processor does the drawing.
+    pub fn is_software(&self) -> bool {
+        self.is_software
     }
 
     /// Whether the device has gone: driver reset, adapter unplugged, destroyed. All that was made
@@ -182,6 +188,22 @@ pub fn required_limits(of_adapter: &wgpu::Limits) -> wgpu::Limits {
         max_storage_buffer_binding_size: of_adapter.max_storage_buffer_binding_size,
         ..wgpu::Limits::downlevel_defaults()
     }
+}
+
+async fn best_adapter(backends: wgpu::Backends, choice: AdapterChoice) -> Option<wgpu::Adapter> {
+    if backends.is_empty() {
+        return None;
+    }
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends,
+        ..wgpu::InstanceDescriptor::new_without_display_handle_from_env()
+    });
+    let wanted = std::env::var("WGPU_ADAPTER_NAME").unwrap_or_default().to_lowercase();
+    let mut adapters = instance.enumerate_adapters(backends).await;
+    adapters.retain(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted));
+    // Stable: of equals the first, which the driver's loader prefers.
+    adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type, choice));
+    adapters.into_iter().next()
 }
 
 fn rank(device_type: wgpu::DeviceType, choice: AdapterChoice) -> u8 {

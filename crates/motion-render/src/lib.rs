@@ -24,7 +24,6 @@ pub mod gpu;
 pub mod targets;
 
 pub mod skinning_check;
-pub mod testing;
 
 mod primitive;
 

@@ -206,10 +206,7 @@ impl Renderer {
                 view: &targets.color_samples,
                 depth_slice: None,
                 resolve_target: Some(&targets.color_resolved),
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Discard,
-                },
+                ops: self.color_ops(),
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &targets.depth,
@@ -241,6 +238,19 @@ impl Renderer {
             self.outline.draw(&mut pass);
         }
         self.labels.draw(&mut pass);
+    }
+
+    /// Every pixel is drawn over, so what was there does not matter: a graphics card is quickest
+    /// when it need not fetch it, a processor when it need not clear it.
+    fn color_ops(&self) -> wgpu::Operations<wgpu::Color> {
+        if self.gpu.is_software() {
+            wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store }
+        } else {
+            wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                store: wgpu::StoreOp::Discard,
+            }
+        }
     }
 
     /// Draws names into a small target that shows a part of the picture. The scene's buffers are

@@ -15,28 +15,28 @@ pub struct Light {
     pub sky: [f32; 3],
     /// What falls on surfaces that look down: light from the floor.
     pub bounce: [f32; 3],
-    /// How dark full shadow makes the floor, 0 to 1.
+    /// How much full shadow takes from the floor's stored colour, 0 to 1.
     pub shadow: f32,
 }
 
 impl Light {
     /// A warm key light from the front left, above, and a cool fill.
     pub fn of(theme: Theme) -> Self {
-        let towards_key = Vec3::new(0.45, 0.8, 0.55).normalize_or(Vec3::Y);
+        let towards_key = Vec3::new(0.62, 0.85, 0.42).normalize_or(Vec3::Y);
         match theme {
             Theme::Dark => Self {
                 towards_key,
-                key: [2.55, 2.4, 2.2],
-                sky: [0.42, 0.47, 0.56],
-                bounce: [0.20, 0.19, 0.18],
-                shadow: 0.62,
+                key: [3.0, 2.85, 2.6],
+                sky: [0.30, 0.34, 0.42],
+                bounce: [0.13, 0.12, 0.115],
+                shadow: 0.42,
             },
             Theme::Light => Self {
                 towards_key,
                 key: [2.3, 2.2, 2.05],
                 sky: [0.62, 0.66, 0.72],
                 bounce: [0.42, 0.41, 0.40],
-                shadow: 0.42,
+                shadow: 0.26,
             },
         }
     }

@@ -69,3 +69,21 @@ impl Bounds {
         Self::of_points(&points).map(|bounds| bounds.grown(FLESH_M))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_hold_what_they_are_made_of() {
+        let points = [Vec3::new(1.0, -2.0, 3.0), Vec3::new(-1.0, 4.0, 0.0), Vec3::NAN];
+        let bounds = Bounds::of_points(&points).unwrap();
+        assert_eq!(bounds.min_m, Vec3::new(-1.0, -2.0, 0.0));
+        assert_eq!(bounds.max_m, Vec3::new(1.0, 4.0, 3.0));
+        assert_eq!(bounds.center(), Vec3::new(0.0, 1.0, 1.5));
+        assert_eq!(bounds.grown(1.0).size(), bounds.size() + 2.0);
+        assert_eq!(Bounds::of_points(&bounds.corners()), Some(bounds));
+        assert_eq!(Bounds::of_points(&[]), None);
+        assert_eq!(Bounds::of_points(&[Vec3::INFINITY]), None);
+    }
+}

@@ -299,3 +299,187 @@ impl OrbitCamera {
         self.distance_m = distance_m.clamp(MIN_DISTANCE_M, MAX_DISTANCE_M);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const VIEWPORT: Viewport = Viewport { width_px: 640.0, height_px: 360.0 };
+
+    fn cameras() -> impl Strategy<Value = OrbitCamera> {
+        let target = (-20.0_f32..20.0, -2.0_f32..4.0, -20.0_f32..20.0);
+        (target, -3.0_f32..3.0, -1.5_f32..1.5, 0.5_f32..50.0, any::<bool>()).prop_map(
+            |((x, y, z), yaw_rad, pitch_rad, distance_m, is_perspective)| OrbitCamera {
+                target_m: Vec3::new(x, y, z),
+                yaw_rad,
+                pitch_rad,
+                distance_m,
+                projection: if is_perspective {
+                    Projection::Perspective { vertical_fov_rad: FOV_RAD }
+                } else {
+                    Projection::Orthographic
+                },
+            },
+        )
+    }
+
+    proptest! {
+        /// The ray through the pixel that a point falls on passes through the point.
+        #[test]
+        fn rays_go_where_points_fall(
+            camera in cameras(),
+            off in (-0.4_f32..0.4, -0.4_f32..0.4, -0.4_f32..0.4),
+        ) {
+            let point = camera.target_m + Vec3::from(off) * camera.distance_m;
+            let at = camera.project(point, VIEWPORT).unwrap();
+            let ray = camera.ray_through(at.px, VIEWPORT);
+            let (miss, along) = ray.distance_to(point);
+            prop_assert!(miss < 2e-3 * camera.distance_m, "misses by {miss}");
+            prop_assert!(along > 0.0);
+            prop_assert!((ray.direction.length() - 1.0).abs() < 1e-5);
+        }
+
+        /// What is framed is in the picture, with the margin, and touches it.
+        #[test]
+        fn framed_boxes_fill_the_picture(
+            mut camera in cameras(),
+            size in (0.1_f32..5.0, 0.1_f32..5.0, 0.1_f32..5.0),
+        ) {
+            let bounds = Bounds::of_point(Vec3::new(3.0, 1.0, -2.0))
+                .union(Bounds::of_point(Vec3::new(3.0, 1.0, -2.0) + Vec3::from(size)));
+            camera.frame(&bounds, VIEWPORT, 0.1);
+            let mut nearest = f32::INFINITY;
+            for corner in bounds.corners() {
+                let px = camera.project(corner, VIEWPORT).unwrap().px;
+                let share = px / Vec2::new(VIEWPORT.width_px, VIEWPORT.height_px);
+                let free = share.min(1.0 - share).min_element();
+                prop_assert!(free > 0.098, "{corner} is {free} from the edge");
+                nearest = nearest.min(free);
+            }
+            prop_assert!(nearest < 0.35, "much too small: {nearest}");
+        }
+
+        /// Dolly keeps what is under the pointer at the target's depth.
+        #[test]
+        fn dolly_keeps_what_is_under_the_pointer(
+            mut camera in cameras(),
+            px in (50.0_f32..590.0, 50.0_f32..310.0),
+            factor in 0.5_f32..2.0,
+        ) {
+            let px = Vec2::from(px);
+            let before = camera.ray_through(px, VIEWPORT);
+            let point = before.at_plane(camera.target_m, camera.forward()).unwrap();
+            camera.dolly(factor, px, VIEWPORT);
+            let after = camera.project(point, VIEWPORT).unwrap().px;
+            prop_assert!(after.distance(px) < 0.2, "{px} went to {after}");
+        }
+
+        /// Pan moves what is at the target's depth with the pointer.
+        #[test]
+        fn pan_follows_the_pointer(mut camera in cameras(), by in (-90.0_f32..90.0, -90.0_f32..90.0)) {
+            let by = Vec2::from(by);
+            let before = camera.project(camera.target_m, VIEWPORT).unwrap().px;
+            let point = camera.target_m;
+            camera.pan(by, VIEWPORT);
+            let after = camera.project(point, VIEWPORT).unwrap().px;
+            prop_assert!((after - before).distance(by) < 0.2);
+        }
+    }
+
+    #[test]
+    fn standard_views_stand_where_they_say() {
+        let from = |view| {
+            let camera = OrbitCamera::standard(view, Vec3::Y, 5.0);
+            (camera.eye_m() - Vec3::Y) / 5.0
+        };
+        let sides = [
+            (StandardView::Front, Vec3::Z),
+            (StandardView::Back, Vec3::NEG_Z),
+            (StandardView::Left, Vec3::X),
+            (StandardView::Right, Vec3::NEG_X),
+            (StandardView::Top, Vec3::Y),
+        ];
+        for (view, expected) in sides {
+            assert!(from(view).distance(expected) < 1e-5, "{view:?}: {}", from(view));
+        }
+        let three_quarter = from(StandardView::ThreeQuarter);
+        assert!(three_quarter.min_element() > 0.1, "front, left, above: {three_quarter}");
+    }
+
+    #[test]
+    fn from_above_ahead_is_down_the_picture_and_left_is_right() {
+        let camera = OrbitCamera::standard(StandardView::Top, Vec3::ZERO, 5.0);
+        let middle = camera.project(Vec3::ZERO, VIEWPORT).unwrap().px;
+        let ahead = camera.project(Vec3::Z, VIEWPORT).unwrap().px;
+        let left = camera.project(Vec3::X, VIEWPORT).unwrap().px;
+        assert!(ahead.y > middle.y + 10.0 && (ahead.x - middle.x).abs() < 0.1);
+        assert!(left.x > middle.x + 10.0 && (left.y - middle.y).abs() < 0.1);
+    }
+
+    #[test]
+    fn orthographic_keeps_the_size_at_the_target() {
+        let mut camera = OrbitCamera { target_m: Vec3::Y, ..OrbitCamera::default() };
+        let size = |camera: &OrbitCamera| {
+            let up = camera.world_from_view_rotation() * Vec3::Y;
+            let at = |p| camera.project(p, VIEWPORT).unwrap().px;
+            at(Vec3::Y + up).distance(at(Vec3::Y))
+        };
+        let perspective = size(&camera);
+        camera.projection = Projection::Orthographic;
+        assert!((size(&camera) / perspective - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn depth_is_reversed_and_within_the_cube() {
+        for view in [StandardView::ThreeQuarter, StandardView::Front] {
+            let camera = OrbitCamera::standard(view, Vec3::Y, 5.0);
+            let depth = |along: f32| {
+                let point = camera.eye_m() + camera.forward() * along;
+                camera.clip_from_world(VIEWPORT).project_point3(point).z
+            };
+            let depths = [0.2, 1.0, 5.0, 100.0, 900.0].map(depth);
+            assert!(depths.windows(2).all(|pair| pair[0] > pair[1]), "{view:?}: {depths:?}");
+            assert!(depths.iter().all(|z| (0.0..=1.0).contains(z)), "{view:?}: {depths:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_behind_the_eye_falls_nowhere() {
+        let camera = OrbitCamera::default();
+        let behind = camera.eye_m() - camera.forward();
+        assert_eq!(camera.project(behind, VIEWPORT), None);
+    }
+
+    #[test]
+    fn rays_meet_the_floor_before_the_eye_only() {
+        let down = Ray { origin_m: Vec3::new(1.0, 2.0, 3.0), direction: Vec3::NEG_Y };
+        assert_eq!(down.at_height(0.0), Some(Vec3::new(1.0, 0.0, 3.0)));
+        assert_eq!(down.at_height(5.0), None, "it is behind");
+        let level = Ray { direction: Vec3::X, ..down };
+        assert_eq!(level.at_height(0.0), None, "it is parallel");
+        assert_eq!(level.at_plane(Vec3::X * 4.0, Vec3::X), Some(Vec3::new(4.0, 2.0, 3.0)));
+    }
+
+    #[test]
+    fn orbits_stay_upright_and_turn_without_end() {
+        let mut camera = OrbitCamera::default();
+        for _ in 0..100 {
+            camera.orbit(1.0, 0.5);
+        }
+        assert!(camera.yaw_rad.abs() <= std::f32::consts::PI + 1e-5);
+        assert!(camera.pitch_rad <= MAX_PITCH_RAD);
+        assert!((camera.world_from_view_rotation() * Vec3::Y).y > -1e-5, "never upside down");
+    }
+
+    #[test]
+    fn nothing_panics_on_sizes_that_make_no_sense() {
+        let mut camera = OrbitCamera::default();
+        let viewport = Viewport::new(0.0, -3.0);
+        camera.frame(&Bounds::of_point(Vec3::ZERO), viewport, 0.9);
+        camera.dolly(0.0, Vec2::ZERO, viewport);
+        camera.dolly(1e30, Vec2::ZERO, viewport);
+        assert!(camera.distance_m.is_finite() && camera.distance_m > 0.0);
+    }
+}

@@ -121,10 +121,92 @@ impl ColorRole {
             Self::Pose | Self::Planted => 0x009E73,
             Self::Style => 0xCC79A7,
             Self::Obstacle => 0x8A8F98,
-            Self::Miss => 0xD55E00,
+            Self::Miss => pick(0xD55E00, 0xB03A00),
             Self::Text => pick(0xE6E8EB, 0x1B1D21),
             Self::FaintText => pick(0x9BA3AE, 0x5A616B),
             Self::TextPlate => pick(0x22252A, 0xF4F5F7),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn storing_and_lighting_are_inverse() {
+        for byte in 0..=255_u32 {
+            let color = LinearRgba::from_srgb_hex(byte << 16 | byte << 8 | (255 - byte));
+            let expected = [byte as u8, byte as u8, 255 - byte as u8, 255];
+            assert_eq!(color.to_srgb8(), expected);
+        }
+        assert_eq!(LinearRgba::WHITE.with_alpha(0.5).to_srgb8(), [255, 255, 255, 128]);
+    }
+
+    fn luminance(color: LinearRgba) -> f32 {
+        let [r, g, b, _] = color.0;
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    /// WCAG 2: words on their plates.
+    #[test]
+    fn words_can_be_read_in_both_themes() {
+        for theme in [Theme::Dark, Theme::Light] {
+            let plate = luminance(ColorRole::TextPlate.color(theme));
+            for role in [ColorRole::Text, ColorRole::FaintText] {
+                let text = luminance(role.color(theme));
+                let (light, dark) = (text.max(plate), text.min(plate));
+                let contrast = (light + 0.05) / (dark + 0.05);
+                assert!(contrast >= 4.5, "{role:?} on {theme:?}: {contrast}");
+            }
+        }
+    }
+
+    /// As people without one kind of cone see it (Viénot, Brettel and Mollon 1999), in light.
+    fn seen_without(cone: &str, color: LinearRgba) -> [f32; 3] {
+        let [r, g, b, _] = color.0;
+        let matrix = match cone {
+            "L" => [[0.112, 0.888, 0.0], [0.112, 0.888, 0.0], [0.004, -0.004, 1.0]],
+            _ => [[0.293, 0.707, 0.0], [0.293, 0.707, 0.0], [-0.021, 0.021, 1.0]],
+        };
+        matrix.map(|row| row[0] * r + row[1] * g + row[2] * b).map(srgb_from_linear_clamped)
+    }
+
+    fn srgb_from_linear_clamped(light: f32) -> f32 {
+        srgb_from_linear(light.clamp(0.0, 1.0))
+    }
+
+    /// What stands side by side in the view can be told apart without colour vision of one kind.
+    #[test]
+    fn meanings_differ_for_every_kind_of_colour_vision() {
+        let roles = [
+            ColorRole::Selected,
+            ColorRole::Checkpoint,
+            ColorRole::JointTarget,
+            ColorRole::Pose,
+            ColorRole::Miss,
+        ];
+        for theme in [Theme::Dark, Theme::Light] {
+            for (i, a) in roles.iter().enumerate() {
+                for b in &roles[i + 1..] {
+                    for cone in ["L", "M"] {
+                        let [x, y] = [a, b].map(|role| seen_without(cone, role.color(theme)));
+                        let apart: f32 = (0..3).map(|k| (x[k] - y[k]).powi(2)).sum::<f32>().sqrt();
+                        assert!(apart > 0.12, "{a:?} and {b:?} without {cone}: {apart}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn takes_repeat_after_eight() {
+        let hue = |n| ColorRole::Take(n).color(Theme::Dark);
+        assert_eq!(hue(3), hue(11));
+        for i in 0..8 {
+            for j in 0..i {
+                assert_ne!(hue(i), hue(j));
+            }
+        }
     }
 }

@@ -174,3 +174,74 @@ fn arrow() -> Vec<Vec2> {
     let head = [(-half_head, neck), (half_head, neck), (0.0, ARROW_REACH_M)].map(Vec2::from);
     vec![shaft[0], shaft[1], shaft[2], shaft[0], shaft[2], shaft[3], head[0], head[1], head[2]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn checkpoint(heading_rad: f32) -> Checkpoint {
+        Checkpoint {
+            position_m: Vec3::new(2.0, 0.5, -1.0),
+            heading_rad,
+            is_exact: false,
+            tolerance_m: Some(0.8),
+            label: "1 · f 0".to_owned(),
+            emphasis: Emphasis::None,
+            pick: PickId::nth(0),
+            pick_tip: PickId::nth(1),
+        }
+    }
+
+    /// The corner of the arrow furthest from the middle is its tip.
+    fn tip(mark: &Checkpoint) -> Vec3 {
+        let flats = mark.to_flats(Theme::Dark);
+        let arrow = flats.last().unwrap();
+        let from = |p: &Vec3| p.distance_squared(mark.position_m);
+        let furthest = arrow.points_m.iter().copied();
+        furthest.max_by(|a, b| from(a).total_cmp(&from(b))).unwrap()
+    }
+
+    #[test]
+    fn arrows_point_where_the_heading_says() {
+        let quarter = std::f32::consts::FRAC_PI_2;
+        for (heading_rad, towards) in [(0.0, Vec3::Z), (quarter, Vec3::X), (-quarter, Vec3::NEG_X)]
+        {
+            let mark = checkpoint(heading_rad);
+            let off = (tip(&mark) - mark.position_m).with_y(0.0);
+            assert!(off.normalize_or_zero().distance(towards) < 1e-5, "{heading_rad}: {off}");
+        }
+    }
+
+    #[test]
+    fn everything_is_whole_triangles_just_over_what_it_marks() {
+        let flats = checkpoint(1.0).to_flats(Theme::Light);
+        assert_eq!(flats.len(), 4, "tolerance, disc, ring, arrow");
+        for flat in &flats {
+            assert_eq!(flat.points_m.len() % 3, 0);
+            assert!(flat.points_m.iter().all(|p| (p.y - 0.5 - LIFT_M).abs() < 1e-6));
+        }
+        let reach = |flat: &Flat| {
+            let off = flat.points_m.iter().map(|p| p.distance(Vec3::new(2.0, 0.5, -1.0)));
+            off.fold(0.0, f32::max)
+        };
+        assert!((reach(&flats[0]) - 0.8).abs() < 1e-3, "the tolerance is as large as it says");
+        assert_eq!(flats[0].pick, None, "a tolerance is not in the way of what is in it");
+        assert_eq!(flats[3].pick, PickId::nth(1));
+    }
+
+    #[test]
+    fn joint_targets_drop_to_their_floor() {
+        let target = JointTarget {
+            position_m: Vec3::new(1.0, 1.8, 2.0),
+            floor_m: 0.3,
+            label: String::new(),
+            emphasis: Emphasis::Selected,
+            pick: None,
+        };
+        let lines = target.to_lines(Theme::Dark);
+        let foot = *lines[0].points_m.last().unwrap();
+        assert!(foot.distance(Vec3::new(1.0, 0.3, 2.0)) < 0.01, "{foot}");
+        assert_eq!(target.to_label(Theme::Dark), None, "no words, no plate");
+        assert_eq!(target.to_solid(Theme::Dark).emphasis, Emphasis::Selected);
+    }
+}

@@ -209,3 +209,78 @@ impl BodyModel {
         &self.levels
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Quat;
+
+    use super::*;
+
+    fn parts(n_triangles: u32) -> Vec<MeshPart> {
+        let material = Material {
+            base_color: LinearRgba::WHITE,
+            texture: None,
+            roughness: 0.5,
+            alpha_cutoff: 0.0,
+            double_sided: false,
+        };
+        vec![MeshPart { first_triangle: 0, n_triangles, material }]
+    }
+
+    fn vertex(x: f32) -> Vertex {
+        Vertex {
+            position_m: Vec3::new(x, 1.0, 0.0),
+            normal: Vec3::Z,
+            uv: Vec2::ZERO,
+            joints: [0, 1, 0, 0],
+            weights: [0.25, 0.75, 0.0, 0.0],
+        }
+    }
+
+    fn mesh(change: impl FnOnce(&mut Vec<Vertex>, &mut Vec<[u32; 3]>)) -> Result<(), MeshError> {
+        let mut vertices = vec![vertex(0.0), vertex(1.0), vertex(2.0)];
+        let mut triangles = vec![[0, 1, 2]];
+        change(&mut vertices, &mut triangles);
+        let parts = parts(triangles.len() as u32);
+        SkinnedMesh::new(vertices, triangles, vec![Mat4::IDENTITY; 2], parts).map(|_| ())
+    }
+
+    #[test]
+    fn what_is_no_mesh_is_refused() {
+        assert_eq!(mesh(|_, _| {}), Ok(()));
+        assert_eq!(mesh(|_, t| t.clear()), Err(MeshError::Empty));
+        assert_eq!(mesh(|_, t| t.push([0, 1, 3])), Err(MeshError::Triangle(1)));
+        assert_eq!(mesh(|v, _| v[1].joints[2] = 2), Err(MeshError::Vertex(1)));
+        assert_eq!(mesh(|v, _| v[2].weights[0] = 0.5), Err(MeshError::Vertex(2)));
+        assert_eq!(mesh(|v, _| v[0].weights = [1.5, -0.5, 0.0, 0.0]), Err(MeshError::Vertex(0)));
+        assert_eq!(mesh(|v, _| v[0].weights[3] = f32::NAN), Err(MeshError::Vertex(0)));
+        assert_eq!(mesh(|v, _| v[0].normal = Vec3::ZERO), Err(MeshError::Vertex(0)));
+        assert_eq!(mesh(|v, _| v[0].position_m.y = f32::INFINITY), Err(MeshError::Vertex(0)));
+        let three = vec![vertex(0.0); 3];
+        let uncovered = SkinnedMesh::new(three, vec![[0, 1, 2]], vec![Mat4::IDENTITY; 2], parts(2));
+        assert_eq!(uncovered, Err(MeshError::Part(0)));
+    }
+
+    #[test]
+    fn skinning_is_the_weighted_mean_of_what_joints_do() {
+        let lift = Mat4::from_translation(Vec3::Y);
+        let turn = Mat4::from_quat(Quat::from_rotation_z(std::f32::consts::FRAC_PI_2));
+        let at = SkinnedMesh::skinned_position_m(&vertex(2.0), &[lift, turn]);
+        // A quarter of (2, 2, 0) and three of (−1, 2, 0).
+        assert!(at.distance(Vec3::new(-0.25, 2.0, 0.0)) < 1e-6, "{at}");
+        let normal = SkinnedMesh::skinned_normal(&vertex(2.0), &[lift, turn]);
+        assert!(normal.distance(Vec3::Z) < 1e-6, "{normal}");
+    }
+
+    #[test]
+    fn models_have_levels_of_the_same_joints() {
+        let of = |n_joints: usize| {
+            let three = vec![vertex(0.0); 3];
+            let joints = vec![Mat4::IDENTITY; n_joints];
+            Arc::new(SkinnedMesh::new(three, vec![[0, 1, 2]], joints, parts(1)).unwrap())
+        };
+        assert!(BodyModel::new(Vec::new()).is_none());
+        assert!(BodyModel::new(vec![of(2), of(3)]).is_none());
+        assert_eq!(BodyModel::new(vec![of(2), of(2)]).unwrap().levels().len(), 2);
+    }
+}

@@ -40,3 +40,31 @@ impl Trail {
         lines
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dot_for_every_frame_and_a_larger_one_for_now() {
+        let points_m: Vec<Vec3> = (0..10).map(|i| Vec3::X * i as f32).collect();
+        let lines = Trail { points_m: points_m.clone(), now: 4 }.to_lines(Theme::Dark);
+        let past = ColorRole::Past.color(Theme::Dark);
+        let future = ColorRole::Future.color(Theme::Dark);
+        let dots_of = |color| {
+            let dots = lines.iter().filter(|l| l.points_m.len() == 1 && l.color == color);
+            dots.map(|l| l.points_m[0].x).collect::<Vec<_>>()
+        };
+        assert_eq!(dots_of(past), [0.0, 1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(dots_of(future), [4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+        let now = lines.last().unwrap();
+        assert_eq!((now.points_m[0], now.width_pt), (points_m[4], NOW_PT));
+    }
+
+    #[test]
+    fn short_and_overrun_trails() {
+        assert!(Trail { points_m: Vec::new(), now: 0 }.to_lines(Theme::Dark).is_empty());
+        let one = Trail { points_m: vec![Vec3::ONE], now: 99 }.to_lines(Theme::Light);
+        assert!(one.iter().all(|line| line.points_m == [Vec3::ONE]));
+    }
+}

@@ -33,7 +33,7 @@ impl Light {
             },
             Theme::Light => Self {
                 towards_key,
-                key: [2.3, 2.2, 2.05],
+                key: [2.6, 2.5, 2.35],
                 sky: [0.62, 0.66, 0.72],
                 bounce: [0.42, 0.41, 0.40],
                 shadow: 0.26,

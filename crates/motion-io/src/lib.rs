@@ -12,7 +12,8 @@
 //! files do not say.
 //!
 //! Reading begins with [`read_file`](read_file::read_file), which keeps to the [`limits`];
-//! writing ends with [`atomic_write`](atomic_write::atomic_write).
+//! writing ends with [`atomic_write`](atomic_write::atomic_write) or, for what is too large to be
+//! held at once, a [`PendingFile`](pending_file::PendingFile).
 
 pub mod atomic_write;
 pub mod bvh;
@@ -26,6 +27,7 @@ pub mod import;
 pub mod json;
 pub mod library_file;
 pub mod limits;
+pub mod pending_file;
 pub mod project_file;
 pub mod read_file;
 pub mod report_file;

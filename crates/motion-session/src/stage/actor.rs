@@ -40,6 +40,11 @@ impl Actor {
         self.figure.bounds(&pose_at(&self.skeleton, &self.motion, frame))
     }
 
+    /// Points that reach as far as it does at a frame, metres.
+    pub fn reach_at_m(&self, frame: f64) -> Vec<Vec3> {
+        self.figure.reach_m(&pose_at(&self.skeleton, &self.motion, frame))
+    }
+
     /// Where its root is at a frame, metres.
     pub fn root_at_m(&self, frame: f64) -> Vec3 {
         root_at_m(&self.motion, frame)

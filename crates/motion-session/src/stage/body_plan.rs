@@ -1,27 +1,40 @@
 //! What a mannequin needs to know of a skeleton.
 
-use glam::Vec3;
 use motion_core::bind_pose::BindPose;
-use motion_core::contacts;
+use motion_core::contacts::{self, Side};
 use motion_core::floor::Soles;
 use motion_core::ids::JointIdx;
 use motion_core::motion::Motion;
 use motion_core::skeleton::{JointRole, Skeleton};
-use motion_scene::body_plan::{BodyPart, BodyPlan, PlanJoint, Side};
+use motion_scene::body_plan::{self as plan, BodyPart, BodyPlan, PlanJoint};
 
 /// A bone end nearer to its joint than this is a file's way of saying nothing, metres.
 const MIN_END_M: f32 = 0.005;
+
+/// The pose in which a body stands with its toe joints as high as `soles` say, both on the whole.
+pub fn standing_pose(skeleton: &Skeleton, motion: Option<&Motion>, soles: Soles) -> BindPose {
+    let pose = BindPose::of(skeleton, motion);
+    let lifts = Side::BOTH.into_iter().filter_map(|side| {
+        let toe = contacts::toe_joint(skeleton, side)?;
+        Some(soles.height_m[side.idx()] - pose.positions_m()[toe.idx()].y)
+    });
+    let lifts: Vec<f32> = lifts.collect();
+    if lifts.is_empty() {
+        return pose;
+    }
+    let lift_m = lifts.iter().sum::<f32>() / lifts.len() as f32;
+    let sole_m = pose.sole_below_feet_m() + lift_m;
+    pose.with_sole(sole_m)
+}
 
 /// The plan of a body that stands as `skeleton` does, its soles as high as clips or a mesh say.
 ///
 /// `motion` helps to find the standing pose of a skeleton whose rest pose is not one.
 pub fn body_plan(skeleton: &Skeleton, motion: Option<&Motion>, soles: Soles) -> BodyPlan {
-    let pose = BindPose::of(skeleton, motion);
-    let lift_m = lift_onto_soles_m(skeleton, pose.positions_m(), soles);
+    let pose = standing_pose(skeleton, motion, soles);
     let parts = parts(skeleton);
     let joints = skeleton.joints().iter().enumerate().map(|(idx, joint)| {
-        let (at_m, turn) =
-            (pose.positions_m()[idx] + Vec3::Y * lift_m, pose.world_from_joint()[idx]);
+        let (at_m, turn) = (pose.positions_m()[idx], pose.world_from_joint()[idx]);
         let end = joint.end_site_m.filter(|end| end.length() > MIN_END_M);
         PlanJoint {
             parent: joint.parent.map(JointIdx::idx),
@@ -32,16 +45,6 @@ pub fn body_plan(skeleton: &Skeleton, motion: Option<&Motion>, soles: Soles) -> 
         }
     });
     BodyPlan { joints: joints.collect(), sole_m: soles.height_m }
-}
-
-/// How far up brings the toe joints to the height of their soles, both feet on the whole.
-fn lift_onto_soles_m(skeleton: &Skeleton, positions_m: &[Vec3], soles: Soles) -> f32 {
-    let lifts = contacts::Side::BOTH.into_iter().filter_map(|side| {
-        let toe = contacts::toe_joint(skeleton, side)?;
-        Some(soles.height_m[side.idx()] - positions_m[toe.idx()].y)
-    });
-    let lifts: Vec<f32> = lifts.collect();
-    if lifts.is_empty() { 0.0 } else { lifts.iter().sum::<f32>() / lifts.len() as f32 }
 }
 
 /// What every joint moves. Joints of the back and the neck that play no role of their own (the
@@ -75,7 +78,7 @@ fn parts(skeleton: &Skeleton) -> Vec<Option<BodyPart>> {
 
 fn part_of_role(role: JointRole) -> BodyPart {
     use JointRole as R;
-    use Side::{Left, Right};
+    use plan::Side::{Left, Right};
     match role {
         R::Hips => BodyPart::Hips,
         R::Spine | R::Spine1 | R::Spine2 => BodyPart::Spine,
@@ -102,6 +105,7 @@ fn part_of_role(role: JointRole) -> BodyPart {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
     use motion_core::skeleton::Joint;
 
     use super::*;
@@ -114,7 +118,7 @@ mod tests {
         let plan = body_plan(skeleton, None, Soles { height_m: [0.03; 2] });
         let joint = |name: &str| plan.joints[skeleton.by_name(name).unwrap().idx()];
         assert!((joint("LeftToeBase").position_m.y - 0.03).abs() < 1e-6);
-        assert_eq!(joint("LeftUpLeg").part, Some(BodyPart::Thigh(Side::Left)));
+        assert_eq!(joint("LeftUpLeg").part, Some(BodyPart::Thigh(plan::Side::Left)));
         assert!(joint("LeftUpLeg").position_m.x > 0.0, "its left is at +X");
         let head = joint("Head");
         let end = head.end_m.unwrap();

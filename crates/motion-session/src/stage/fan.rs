@@ -30,6 +30,51 @@ pub fn fan(root_path_m: &[Vec3], n_max: usize, apart_m: f32) -> Vec<usize> {
     chosen
 }
 
+/// What a pose covers of a picture, pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Covered {
+    /// Its upper left corner.
+    pub min_px: Vec2,
+    /// Its lower right corner.
+    pub max_px: Vec2,
+}
+
+impl Covered {
+    /// How far two poses are from covering each other: 0 at the same place, 1 where they touch.
+    fn apart(&self, other: &Self) -> f32 {
+        let center = |c: &Self| 0.5 * (c.min_px + c.max_px);
+        let both = 0.5 * ((self.max_px - self.min_px) + (other.max_px - other.min_px));
+        let off = (center(self) - center(other)).abs();
+        (off / both.max(Vec2::splat(1e-3))).max_element()
+    }
+}
+
+/// Of poses on a picture those that leave each other to be seen: the first, the last, and again and
+/// again the one that is furthest from all that are chosen, as long as it is at least `apart` (1:
+/// they just touch) from them. Indices in order; at most `n_max`, but first and last always.
+pub fn clear_of_each_other(poses: &[Covered], n_max: usize, apart: f32) -> Vec<usize> {
+    let Some(last) = poses.len().checked_sub(1) else { return Vec::new() };
+    let mut chosen = vec![0];
+    if last > 0 {
+        chosen.push(last);
+    }
+    while chosen.len() < n_max {
+        let clear = |nth: usize| {
+            let each = chosen.iter().map(|&other| poses[nth].apart(&poses[other]));
+            each.fold(f32::INFINITY, f32::min)
+        };
+        let best = (0..poses.len())
+            .map(|nth| (clear(nth), nth))
+            .reduce(|best, next| if next.0 > best.0 { next } else { best });
+        match best {
+            Some((clear, nth)) if clear >= apart => chosen.push(nth),
+            _ => break,
+        }
+    }
+    chosen.sort_unstable();
+    chosen
+}
+
 /// `n` frames (at least 1) spread evenly over the time of a motion of `n_frames`, ends included;
 /// one alone is the middle one.
 pub fn spread(n_frames: usize, n: usize) -> Vec<usize> {
@@ -89,6 +134,17 @@ mod tests {
                 assert!(path[a].distance(path[b]) >= 0.7, "{chosen:?}");
             }
         }
+    }
+
+    #[test]
+    fn what_would_cover_others_is_left_out() {
+        let at = |x: f32| Covered { min_px: Vec2::new(x, 0.0), max_px: Vec2::new(x + 10.0, 40.0) };
+        let poses = [0.0, 2.0, 9.0, 20.0, 22.0, 31.0].map(at);
+        assert_eq!(clear_of_each_other(&poses, 9, 0.8), [0, 2, 3, 5]);
+        assert_eq!(clear_of_each_other(&poses, 3, 0.8), [0, 2, 5]);
+        assert_eq!(clear_of_each_other(&poses[..2], 9, 0.8), [0, 1], "both ends stay");
+        assert_eq!(clear_of_each_other(&poses[..1], 9, 0.8), [0]);
+        assert_eq!(clear_of_each_other(&[], 9, 0.8), [0usize; 0]);
     }
 
     #[test]

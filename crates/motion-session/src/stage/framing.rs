@@ -28,6 +28,19 @@ impl Margins {
         }
     }
 
+    /// The same room in all, as much of it at the top as at the bottom.
+    #[must_use]
+    pub fn evened(self) -> Self {
+        let each = 0.5 * (self.top + self.bottom);
+        Self { top: each, bottom: each, ..self }
+    }
+
+    /// Moves a camera so that what it looked at is in the middle between the margins.
+    pub fn aim(self, camera: &mut OrbitCamera) {
+        let up_m = (self.top - self.bottom) * camera.half_height_at_target_m();
+        camera.target_m += camera.world_from_view_rotation() * Vec3::Y * up_m;
+    }
+
     /// The tangents of the angles between the middle of the view and what is inside the margins:
     /// half the width, up, down.
     fn slopes(self, camera: &OrbitCamera, viewport: Viewport) -> Slopes {
@@ -170,6 +183,18 @@ mod tests {
         let over = [left - 0.05, right - 0.05, top - 0.1, bottom - 0.05];
         assert!(over.iter().all(|&over| over > -1e-3), "{over:?}");
         assert!(over.iter().any(|&over| over < 1e-3), "{over:?}");
+    }
+
+    #[test]
+    fn what_is_aimed_at_is_between_the_margins() {
+        let viewport = Viewport::new(300.0, 200.0);
+        let margins = Margins { side: 0.1, top: 0.3, bottom: 0.1 };
+        let mut camera = OrbitCamera::default();
+        let point = camera.target_m;
+        margins.aim(&mut camera);
+        let px = camera.project(point, viewport).unwrap().px;
+        assert!(px.distance(Vec2::new(150.0, 0.6 * 200.0)) < 0.5, "{px}");
+        assert_eq!(margins.evened(), Margins { side: 0.1, top: 0.2, bottom: 0.2 });
     }
 
     #[test]

@@ -5,6 +5,8 @@
 //! from where they are looked at. Who draws them is not known here.
 
 pub mod actor;
+pub mod cast;
+pub mod character;
 pub mod figure;
 pub mod pick;
 
@@ -22,7 +24,7 @@ pub mod smooth;
 pub mod viewpoint;
 
 use glam::Vec3;
-use motion_io::project_file::{Constraint, Obstacle, Project};
+use motion_io::project_file::{Constraint, Obstacle};
 use motion_io::report_file::ConstraintReport;
 use motion_scene::body::{GHOST_ALPHA, Look};
 use motion_scene::color::{ColorRole, LinearRgba, Theme};
@@ -98,19 +100,6 @@ impl Stage {
         Self { theme, actors, roles: Vec::new(), obstacles: Vec::new() }
     }
 
-    /// With the obstacles of a project and what it asks of its characters, who are the actors, in
-    /// its order. What each motion makes of it is added to [`Stage::roles`].
-    #[must_use]
-    pub fn with_project(mut self, project: &Project) -> Self {
-        let role = |constraints: &Vec<Constraint>| Role {
-            constraints: constraints.clone(),
-            ..Role::default()
-        };
-        self.roles = project.characters.iter().map(|c| role(&c.constraints)).collect();
-        self.obstacles = project.obstacles.clone();
-        self
-    }
-
     /// Frames of the longest motion; actors whose motions are over hold their last pose.
     pub fn n_frames(&self) -> usize {
         self.actors.iter().map(Actor::n_frames).max().unwrap_or_default()
@@ -149,7 +138,7 @@ impl Stage {
         let Staged { scene, picks } = &mut staged;
         for (nth, (actor, frames)) in self.actors.iter().zip(frames).enumerate() {
             for &frame in frames {
-                let look = Look::Solid(self.time_color(frame, actor.n_frames()));
+                let look = painted(actor.look, self.time_color(frame, actor.n_frames()));
                 let mut body = actor.body_at(frame as f64, look);
                 body.pick = picks.name(PickTarget::Ghost { actor: nth, frame });
                 let bounds = actor.figure.bounds(&body.world_from_joint);
@@ -213,6 +202,15 @@ impl Stage {
             color: ColorRole::Text.color(self.theme),
             plate: Some(ColorRole::TextPlate.color(self.theme).with_alpha(0.82)),
         }
+    }
+}
+
+/// A look in the colour of a time; what has colours of its own keeps half of them.
+fn painted(look: Look, time: LinearRgba) -> Look {
+    const KEPT: f32 = 0.5;
+    match look == Look::own_colors() {
+        true => Look::Solid(time.mixed(LinearRgba::WHITE, KEPT)),
+        false => Look::Solid(time),
     }
 }
 

@@ -88,6 +88,7 @@ impl Take<'_> {
     /// A camera that goes with the bodies and turns by `turn_rad` meanwhile.
     fn moving(&self, turn_rad: f32) -> Vec<OrbitCamera> {
         let rooms: Vec<Option<Bounds>> = self.frames.iter().map(|&f| self.room_at(f)).collect();
+        let reaches: Vec<Vec<Vec3>> = self.frames.iter().map(|&f| self.reach_at_m(f)).collect();
         let Some(first) = rooms.iter().flatten().next().copied() else {
             return vec![self.still(Shot::ThreeQuarter); self.frames.len()];
         };
@@ -111,14 +112,14 @@ impl Take<'_> {
             })
             .collect();
         // One distance for the whole film: a camera that zooms with every step makes sick.
-        let needs = cameras.iter().zip(&rooms).filter_map(|(camera, room)| {
-            let corners = room.as_ref()?.corners();
+        let needs = cameras.iter().zip(&reaches).map(|(camera, reach)| {
             let (target_m, viewport) = (camera.target_m, self.viewport);
-            Some(distance_to_hold(camera, target_m, &corners, viewport, self.margins))
+            distance_to_hold(camera, target_m, reach, viewport, self.margins.evened())
         });
         let distance_m = needs.fold(0.0, f32::max);
         for camera in &mut cameras {
             camera.distance_m = distance_m;
+            self.margins.aim(camera);
         }
         cameras
     }
@@ -131,19 +132,20 @@ impl Take<'_> {
     }
 
     /// What holds all bodies at a frame.
-    fn room_at(&self, frame: f64) -> Option<Bounds> {
+    pub fn room_at(&self, frame: f64) -> Option<Bounds> {
         let each = self.stage.actors.iter().filter_map(|actor| actor.bounds_at(frame));
         each.reduce(Bounds::union)
     }
 
-    /// Corners of the boxes around all bodies over the film.
+    /// Points that reach as far as all bodies at a frame, metres.
+    pub fn reach_at_m(&self, frame: f64) -> Vec<Vec3> {
+        self.stage.actors.iter().flat_map(|actor| actor.reach_at_m(frame)).collect()
+    }
+
+    /// Points that reach as far as the bodies over the film.
     fn body_points_m(&self) -> Vec<Vec3> {
         let picked = super::fan::spread(self.frames.len(), MAX_LOOKS);
-        let rooms = picked.into_iter().flat_map(|nth| {
-            let actors = self.stage.actors.iter();
-            actors.filter_map(move |actor| actor.bounds_at(self.frames[nth]))
-        });
-        rooms.flat_map(|room| room.corners()).collect()
+        picked.into_iter().flat_map(|nth| self.reach_at_m(self.frames[nth])).collect()
     }
 
     /// Points around the markers of constraints and obstacles near the bodies.
@@ -210,7 +212,7 @@ mod tests {
             let cameras = take.cameras(shot);
             assert_eq!(cameras.len(), frames.len());
             for (camera, &frame) in cameras.iter().zip(&frames) {
-                for corner in stage.actors[0].bounds_at(frame).unwrap().corners() {
+                for corner in stage.actors[0].reach_at_m(frame) {
                     let px = camera.project(corner, take.viewport).unwrap().px;
                     let inside = (1.0..639.0).contains(&px.x) && (1.0..359.0).contains(&px.y);
                     assert!(inside, "{shot:?}, frame {frame}: {px}");

@@ -1,6 +1,6 @@
 //! A motion of unknown origin set on the floor, and how high its soles are.
 
-use motion_core::contacts::{self, Side};
+use motion_core::contacts::Side;
 use motion_core::floor::{Soles, calibrate_reported};
 use motion_core::motion::Motion;
 use motion_core::skeleton::{JointRole, Skeleton};
@@ -37,34 +37,41 @@ pub fn usual_soles(skeleton: &Skeleton) -> Soles {
     Soles { height_m: Side::BOTH.map(sole_m) }
 }
 
-/// Sets a motion on the floor that its own feet stand on, as `measure` finds it.
+/// Sets a motion on the floor that its own feet stand on, as `measure` finds it. `known` are the
+/// soles of the body that is to be seen, where it has some of its own.
 ///
 /// One motion cannot tell a thick sole from a floor that was captured too low. Within reason
 /// (0.4 to 2.2 times the usual) the file is believed, and its feet stay as high as they are; beyond,
 /// the body gets the usual soles, and the motion is moved up or down to stand on them.
-pub fn set_on_floor(skeleton: &Skeleton, motion: Motion) -> Standing {
+pub fn set_on_floor(skeleton: &Skeleton, motion: Motion, known: Option<Soles>) -> Standing {
     let usual = usual_soles(skeleton);
     let mut motions = [motion];
     let found = calibrate_reported(skeleton, &mut motions);
     let [mut motion] = motions;
+    // A foot that never stood tells nothing; the other one's sole is the best guess. Where none
+    // did, the lowest toe joint is as high as is found here.
+    let [left, right] = found.soles.height_m;
     let seen = contacts_seen(&found.tracks[0].contacts);
-    // A foot that never stood tells nothing; the other one's sole is the best guess.
-    let height_m = match (seen, found.soles.height_m) {
-        ([true, true], both) => both,
-        ([true, false], [left, _]) => [left; 2],
-        ([false, true], [_, right]) => [right; 2],
-        ([false, false], _) => return Standing { motion, soles: usual },
+    let height_m = match seen {
+        [true, true] | [false, false] => [left, right],
+        [true, false] => [left; 2],
+        [false, true] => [right; 2],
     };
     let mean = |pair: [f32; 2]| 0.5 * (pair[0] + pair[1]);
     let (seen_m, usual_m) = (mean(height_m), mean(usual.height_m));
-    // The lowest a sole is ever reported is 0: then the floor was below the toe joints' lowest.
-    if (BELIEVED[0] * usual_m..=BELIEVED[1] * usual_m).contains(&seen_m) {
-        return Standing { motion, soles: Soles { height_m } };
-    }
+    let believed = BELIEVED[0] * usual_m..=BELIEVED[1] * usual_m;
+    let (lift_m, soles) = match known {
+        Some(known) => (mean(known.height_m) - seen_m, known),
+        None if believed.contains(&seen_m) => (0.0, Soles { height_m }),
+        None => {
+            let lift_m = usual_m - seen_m;
+            (lift_m, Soles { height_m: height_m.map(|height| height + lift_m) })
+        }
+    };
     for position in motion.root_positions_m_mut() {
-        position.y += usual_m - seen_m;
+        position.y += lift_m;
     }
-    Standing { motion, soles: Soles { height_m: height_m.map(|h| h + usual_m - seen_m) } }
+    Standing { motion, soles }
 }
 
 /// Which feet were ever planted.
@@ -72,18 +79,19 @@ fn contacts_seen(frames: &[motion_core::ground::Contacts]) -> [bool; 2] {
     Side::BOTH.map(|side| frames.iter().any(|contacts| contacts.side(side)))
 }
 
-/// The lowest that both toe joints ever are, metres; 0 without feet. A look at how a motion stands
-/// that needs no plants.
-pub fn lowest_toe_m(skeleton: &Skeleton, motion: &Motion) -> f32 {
-    let toes = Side::BOTH.into_iter().filter_map(|side| contacts::toe_joint(skeleton, side));
-    let lowest = toes.flat_map(|toe| motion.joint_path_m(skeleton, toe)).map(|at| at.y);
-    lowest.reduce(f32::min).unwrap_or(0.0)
-}
-
 #[cfg(test)]
 mod tests {
+    use motion_core::contacts;
+
     use super::*;
     use crate::fixture::library;
+
+    /// The lowest that both toe joints ever are.
+    fn lowest_toe_m(skeleton: &Skeleton, motion: &Motion) -> f32 {
+        let toes = Side::BOTH.into_iter().filter_map(|side| contacts::toe_joint(skeleton, side));
+        let lowest = toes.flat_map(|toe| motion.joint_path_m(skeleton, toe)).map(|at| at.y);
+        lowest.reduce(f32::min).unwrap_or(0.0)
+    }
 
     fn raised(by_m: f32) -> Standing {
         let library = library();
@@ -91,7 +99,7 @@ mod tests {
         for position in motion.root_positions_m_mut() {
             position.y += by_m;
         }
-        set_on_floor(library.clips.skeleton(), motion)
+        set_on_floor(library.clips.skeleton(), motion, None)
     }
 
     #[test]
@@ -110,5 +118,16 @@ mod tests {
             assert!((low_m - sole_m).abs() < 0.05, "{by_m}: toes at {low_m}, soles {sole_m}");
             assert!((0.005..0.08).contains(&sole_m), "{by_m}: {sole_m}");
         }
+    }
+
+    #[test]
+    fn known_soles_are_stood_on() {
+        let library = library();
+        let motion = library.clips.clips()[0].motion.clone();
+        let known = Soles { height_m: [0.11; 2] };
+        let standing = set_on_floor(library.clips.skeleton(), motion, Some(known));
+        assert_eq!(standing.soles, known);
+        let low_m = lowest_toe_m(library.clips.skeleton(), &standing.motion);
+        assert!((low_m - 0.11).abs() < 0.05, "{low_m}");
     }
 }

@@ -100,7 +100,8 @@ fn what_the_project_says_is_there_unless_it_is_not_asked_for() {
     let shape = Shape::Cylinder { center_m: [1.0, 0.5, 2.0], radius_m: 0.3, height_m: 1.0 };
     stage.obstacles = vec![Obstacle { shape, extra: Extra::new() }];
     let sample = crate::sample::sample().unwrap();
-    let stage = Stage { obstacles: stage.obstacles.clone(), ..stage.with_project(&sample) };
+    let constraints = sample.characters[0].constraints.clone();
+    stage.roles = vec![Role { constraints, ..Role::default() }];
     let scene = stage.scene_at(0.0, Show::default()).scene;
     assert_eq!((scene.checkpoints.len(), scene.solids.len()), (3, 1));
     assert_eq!(scene.checkpoints[1].position_m, Vec3::new(1.0, 0.0, 4.2));

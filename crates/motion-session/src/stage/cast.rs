@@ -1,0 +1,110 @@
+//! A solved project on the stage: each character in one of its motions.
+
+use std::sync::Arc;
+
+use motion_core::floor::{Soles, soles_of};
+use motion_core::motion::Motion;
+use motion_core::skeleton::Skeleton;
+use motion_io::project_file::Project;
+use motion_scene::body::Look;
+use motion_scene::color::{ColorRole, Theme};
+use motion_scene::mesh::MeshId;
+
+use super::actor::Actor;
+use super::figure::Figure;
+use super::{Role, Stage};
+use crate::project_job::Solved;
+
+/// What a character of a project brings with it.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What the project calls it.
+    pub name: String,
+    /// The library's skeleton.
+    pub skeleton: Arc<Skeleton>,
+    /// The motion that was chosen.
+    pub motion: Arc<Motion>,
+    /// How high the library's bodies have their toe joints when they stand.
+    pub soles: Soles,
+}
+
+/// Why there is nobody to be seen.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NobodyError {
+    /// No motion was found at all.
+    #[error("no motion was found for {0}")]
+    NoMotion(String),
+    /// Fewer motions than asked for.
+    #[error("there are {found} motions for {name}; ask for one of them")]
+    NoTake {
+        /// Whose.
+        name: String,
+        /// How many there are.
+        found: usize,
+    },
+}
+
+/// The parts of a solved project's characters, each in its motion number `take` (from 0, the best).
+pub fn parts(solved: &Solved, take: usize) -> Result<Vec<Part>, NobodyError> {
+    let characters = solved.report.characters.iter().zip(&solved.characters);
+    characters
+        .map(|(report, character)| {
+            let name = report.name.clone();
+            let found = character.motions.len();
+            let Some(motion) = character.motions.get(take) else {
+                return Err(match found {
+                    0 => NobodyError::NoMotion(name),
+                    _ => NobodyError::NoTake { name, found },
+                });
+            };
+            let set = &character.library.clips;
+            let clips = set.clips().iter().map(|clip| (&clip.motion, &clip.track));
+            Ok(Part {
+                name,
+                skeleton: Arc::new(set.skeleton().clone()),
+                motion: Arc::new(motion.clone()),
+                soles: soles_of(set.skeleton(), clips),
+            })
+        })
+        .collect()
+}
+
+/// The stage of a project whose characters were made actors in their motions number `take`: with
+/// obstacles, constraints, and what the motions make of them.
+pub fn stage_of_project(
+    project: &Project,
+    solved: &Solved,
+    take: usize,
+    actors: Vec<Actor>,
+    theme: Theme,
+) -> Stage {
+    let roles = project.characters.iter().zip(&solved.report.characters).zip(&solved.characters);
+    let roles = roles.map(|((character, report), solved)| Role {
+        constraints: character.constraints.clone(),
+        misses: report.alternatives.get(take).map(|a| a.final_.clone()).unwrap_or_default(),
+        root_path_m: solved
+            .motions
+            .get(take)
+            .map(|motion| motion.root_positions_m().to_vec())
+            .unwrap_or_default(),
+    });
+    Stage { theme, actors, roles: roles.collect(), obstacles: project.obstacles.clone() }
+}
+
+/// The actor number `nth` (from 0) as a mannequin.
+pub fn as_mannequin(nth: usize, part: Part, theme: Theme) -> Actor {
+    let Part { name, skeleton, motion, soles } = part;
+    let figure = Figure::mannequin(MeshId(nth as u64), &skeleton, Some(&motion), soles);
+    Actor { name, figure: Arc::new(figure), skeleton, motion, look: look_of(nth, theme) }
+}
+
+/// The paint of the actor number `nth`: neutral for the first, each other tinted with a colour of
+/// its own.
+pub fn look_of(nth: usize, theme: Theme) -> Look {
+    const TINT: f32 = 0.45;
+    let neutral = ColorRole::Body.color(theme);
+    match nth.checked_sub(1) {
+        None => Look::neutral(theme),
+        Some(other) => Look::Solid(neutral.mixed(ColorRole::Take(other).color(theme), TINT)),
+    }
+}

@@ -1,5 +1,8 @@
 //! What was typed. What it means, checked, is the command's business.
 
+#[cfg(feature = "render")]
+pub(crate) mod render;
+
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -68,6 +71,14 @@ pub(crate) enum Command {
         gaitway measure out/A-1.bvh --json\n  \
         gaitway measure --explain")]
     Measure(Measure),
+    /// Show a motion as a picture, a contact sheet or a film
+    #[cfg(feature = "render")]
+    #[command(after_help = "Examples:\n  \
+        gaitway render corner.gaitway -o corner.png              (a contact sheet of the best motion)\n  \
+        gaitway render out/A-1.bvh -o walk.gif --camera follow\n  \
+        gaitway render out/A-1.bvh -o pose.png --frame 80 --ghosts 5\n  \
+        gaitway render corner.gaitway -o corner.mp4 --character hero.glb --size 1920x1080")]
+    Render(render::Render),
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  \
         gaitway completions bash > ~/.local/share/bash-completion/completions/gaitway")]

@@ -6,6 +6,8 @@ mod commands;
 mod interrupt;
 mod output;
 mod plan;
+#[cfg(feature = "render")]
+mod render;
 
 use std::process::ExitCode;
 

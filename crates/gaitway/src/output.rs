@@ -3,6 +3,7 @@
 //! Answers go to stdout. Everything else goes to stderr: errors as `gaitway: what; what to do`,
 //! remarks, and progress bars where stderr is a terminal.
 
+use std::fmt;
 use std::io::{self, IsTerminal as _, Write as _};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -48,6 +49,17 @@ impl Failure {
                 say(&message);
                 ExitCode::from(2)
             }
+        }
+    }
+}
+
+/// The line that [`Failure::report`] says, without the program's name.
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Wrong(message) => message.fmt(f),
+            Self::Other(error) => write!(f, "{error:#}"),
+            Self::Help(help) => help.fmt(f),
         }
     }
 }
@@ -178,7 +190,9 @@ impl Console {
     pub(crate) fn bar(&self) -> Bar {
         let hidden = self.quiet || !io::stderr().is_terminal();
         let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(1000) };
-        let style = ProgressStyle::with_template("{msg:<24} {wide_bar} {percent:>3} %  {elapsed}");
+        let style = ProgressStyle::with_template(
+            "{msg:<24} {wide_bar} {percent:>3} %  {elapsed}, {eta} left",
+        );
         if let Ok(style) = style {
             bar.set_style(style);
         }

@@ -5,6 +5,8 @@ mod convert;
 mod library;
 mod man;
 mod measure;
+#[cfg(feature = "render")]
+mod render;
 pub(crate) mod sample;
 mod solve;
 
@@ -19,6 +21,8 @@ pub(crate) fn run(common: &Common, command: Command) -> Result<(), Failure> {
         Command::Solve(args) => solve::run(&console, common, &args),
         Command::Measure(args) => measure::run(&console, &args),
         Command::Convert(args) => convert::run(&console, &args),
+        #[cfg(feature = "render")]
+        Command::Render(args) => render::run(&console, common, &args),
         Command::Completions { shell } => completions::run(shell),
         Command::Man { output } => man::run(&output),
     }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use motion_io::diagnostic::Warnings;
 use motion_io::project_file;
 use motion_io::report_file::Report;
-use motion_session::project_job::{ProjectRequest, solve_project};
+use motion_session::project_job::{ProjectRequest, Solved, solve_project};
 use motion_session::results::{Clocks, write_results};
 
 use crate::args::{Common, Solve};
@@ -29,18 +29,18 @@ pub(crate) fn run(console: &Console, common: &Common, args: &Solve) -> Result<()
         alternatives: args.alternatives.map(usize::from),
         budget,
     };
-    let (report, files) = solve_and_write(console, &request, &args.output, clocks, warnings)?;
-    console.answer(&report, || summary(&report, &args.output, &files))
+    let (solved, files) = solve_and_write(console, &request, &args.output, clocks, warnings)?;
+    console.answer(&solved.report, || summary(&solved.report, &args.output, &files))
 }
 
-/// Solves, writes to `dir`, and gives the report and the motions' files.
+/// Solves, writes to `dir`, and gives what was found and the motions' files.
 pub(crate) fn solve_and_write(
     console: &Console,
     request: &ProjectRequest<'_>,
     dir: &Path,
     clocks: Clocks,
     mut warnings: Warnings,
-) -> Result<(Report, Vec<PathBuf>), Failure> {
+) -> Result<(Solved, Vec<PathBuf>), Failure> {
     plan::check_results_folder(dir)?;
     let cancel = cancel_on_interrupt();
     let bar = console.bar();
@@ -55,7 +55,7 @@ pub(crate) fn solve_and_write(
             solved.report.characters.into_iter().flat_map(|c| c.unmet).collect();
         return Err(anyhow::anyhow!("{}", sentences.join("; ")).into());
     }
-    Ok((solved.report, files))
+    Ok((solved, files))
 }
 
 /// What a person wants to know at once.

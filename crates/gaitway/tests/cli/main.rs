@@ -6,6 +6,8 @@ mod determinism;
 mod library;
 mod motions;
 mod real_clips;
+#[cfg(feature = "render")]
+mod render;
 mod solve;
 mod words;
 

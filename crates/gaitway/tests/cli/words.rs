@@ -39,6 +39,7 @@ fn the_help_of_every_command() {
         "solve",
         "convert",
         "measure",
+        "render",
         "completions",
         "man",
     ] {

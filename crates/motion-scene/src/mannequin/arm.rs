@@ -33,7 +33,7 @@ pub(super) fn arm(arm: &Arm, side: Side, scale: f32, breadth: f32) -> Layer {
         section(0.75, [0.039; 2], [0.043, 0.040]),
         section(1.0, [0.037; 2], [0.037, 0.037]),
     ];
-    let caps = [0.045 * upper_s, 0.030 * upper_s];
+    let caps = [0.045 * upper_s, 0.035 * upper_s];
     layer.add(0.0, vec![Shape::Loft(Loft::new(frame, upper.length(), caps, upper_s, &sections))]);
     // The shoulder's cap; less of it where the joints lie far outside, as CMU's do.
     let cap_s = scale * breadth.recip().clamp(0.8, 1.1);
@@ -49,16 +49,16 @@ pub(super) fn arm(arm: &Arm, side: Side, scale: f32, breadth: f32) -> Layer {
         section(0.80, [0.0245; 2], [0.031, 0.030]),
         section(1.0, [0.0215; 2], [0.0295, 0.0285]),
     ];
-    let caps = [0.036 * fore_s, 0.02 * fore_s];
+    let caps = [0.035 * fore_s, 0.02 * fore_s];
     layer.add(
-        0.03 * scale,
+        0.004 * scale,
         vec![Shape::Loft(Loft::new(frame, fore.length(), caps, fore_s, &sections))],
     );
     // The point of the elbow.
     let point = arm.elbow_m - frame.w * 0.017 * scale;
     layer
         .add(0.02 * scale, vec![Shape::Ball(Frame::new(point, fore, Vec3::Z), [0.019 * scale; 3])]);
-    layer.grow(0.012 * scale, 1e3 * scale, vec![(hand(arm, side, scale), arm.wrist_m)]);
+    layer.grow(0.004 * scale, 1e3 * scale, vec![(hand(arm, side, scale), arm.wrist_m)]);
     layer
 }
 

@@ -60,7 +60,7 @@ impl Generic {
         }
         let radius = |joint: usize, length_m: f32| {
             let load = (below[joint] / size_m).clamp(0.0, 4.0).sqrt();
-            (0.020 * size_m + 0.035 * size_m * load).min(0.30 * length_m + 0.012 * size_m)
+            (0.016 * size_m + 0.030 * size_m * load).min(0.24 * length_m + 0.010 * size_m)
         };
         let mut bones: Vec<Bone> = Vec::new();
         for i in 0..n {
@@ -95,7 +95,7 @@ impl Generic {
         let mut body = Layer::default();
         for bone in &bones {
             let rod = Shape::Rod { a_m: bone.from_m, b_m: bone.to_m, radii_m: bone.radii_m };
-            body.add(0.9 * bone.radii_m[0], vec![rod]);
+            body.add(0.4 * bone.radii_m[0], vec![rod]);
         }
         Self { body, bones, parents, scale: size_m / 1.75 }
     }

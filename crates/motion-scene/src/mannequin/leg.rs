@@ -44,7 +44,7 @@ pub(super) fn leg(leg: &Leg, side: Side, scale: f32) -> Layer {
     ];
     let caps = [0.045 * shin_s, 0.03 * shin_s];
     layer.add(
-        0.03 * scale,
+        0.004 * scale,
         vec![Shape::Loft(Loft::new(frame, shin.length(), caps, shin_s, &sections))],
     );
     // The knee-cap.

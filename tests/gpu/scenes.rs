@@ -14,7 +14,6 @@ use motion_scene::body::{Emphasis, Look};
 use motion_scene::bounds::Bounds;
 use motion_scene::camera::OrbitCamera;
 use motion_scene::color::{ColorRole, Theme};
-use motion_scene::mannequin::mannequin;
 use motion_scene::marker::{Checkpoint, JointTarget};
 use motion_scene::mesh::MeshId;
 use motion_scene::scene::Scene;
@@ -28,9 +27,9 @@ use motion_tests::shared_dir;
 use crate::pictures::{assert_is_kept, offscreen};
 
 fn actor(skeleton: Skeleton, motion: Motion, theme: Theme) -> Actor {
-    let standing = set_on_floor(&skeleton, motion);
+    let standing = set_on_floor(&skeleton, motion, None);
     let motion = standing.motion;
-    let figure = Figure::built(MeshId(7), &skeleton, Some(&motion), standing.soles, mannequin);
+    let figure = Figure::mannequin(MeshId(7), &skeleton, Some(&motion), standing.soles);
     Actor {
         name: "A".to_owned(),
         figure: Arc::new(figure),

@@ -8,6 +8,7 @@ mod correction;
 mod first_acceptable;
 mod leaf_edges;
 mod load;
+mod picture;
 mod plain_features;
 mod quantile;
 mod runs;
@@ -42,6 +43,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure { name: "correction", measure: correction::measure },
     Figure { name: "seams", measure: seams::measure },
     Figure { name: "assembly", measure: assembly::measure },
+    Figure { name: "picture", measure: picture::measure },
 ];
 
 /// What figures share; made when the first one asks for it.

@@ -1,5 +1,6 @@
 //! What a mannequin needs to know of a skeleton.
 
+use glam::Quat;
 use motion_core::bind_pose::BindPose;
 use motion_core::contacts::{self, Side};
 use motion_core::floor::Soles;
@@ -7,6 +8,8 @@ use motion_core::ids::JointIdx;
 use motion_core::motion::Motion;
 use motion_core::skeleton::{JointRole, Skeleton};
 use motion_scene::body_plan::{self as plan, BodyPart, BodyPlan, PlanJoint};
+
+use super::head_droop::head_droop_rad;
 
 /// A bone end nearer to its joint than this is a file's way of saying nothing, metres.
 const MIN_END_M: f32 = 0.005;
@@ -29,17 +32,21 @@ pub fn standing_pose(skeleton: &Skeleton, motion: Option<&Motion>, soles: Soles)
 
 /// The plan of a body that stands as `skeleton` does, its soles as high as clips or a mesh say.
 ///
-/// `motion` helps to find the standing pose of a skeleton whose rest pose is not one.
+/// `motion` helps to find the standing pose of a skeleton whose rest pose is not one, and how its
+/// head joint leans.
 pub fn body_plan(skeleton: &Skeleton, motion: Option<&Motion>, soles: Soles) -> BodyPlan {
     let pose = standing_pose(skeleton, motion, soles);
     let parts = parts(skeleton);
+    let droop = motion.map_or(0.0, |motion| head_droop_rad(skeleton, motion, &pose));
     let joints = skeleton.joints().iter().enumerate().map(|(idx, joint)| {
         let (at_m, turn) = (pose.positions_m()[idx], pose.world_from_joint()[idx]);
         let end = joint.end_site_m.filter(|end| end.length() > MIN_END_M);
+        // The face looks ahead while the head joint leans as much as it does on the whole.
+        let lean = if parts[idx] == Some(BodyPart::Head) { droop } else { 0.0 };
         PlanJoint {
             parent: joint.parent.map(JointIdx::idx),
             position_m: at_m,
-            world_from_joint: turn,
+            world_from_joint: Quat::from_rotation_x(lean) * turn,
             end_m: end.map(|end| at_m + turn * end),
             part: parts[idx],
         }

@@ -12,6 +12,7 @@ pub mod pick;
 
 pub mod body_plan;
 pub mod fan;
+pub mod head_droop;
 pub mod obstacles;
 pub mod pose;
 pub mod ramp;

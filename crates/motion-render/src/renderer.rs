@@ -101,7 +101,7 @@ impl Renderer {
         let (width_px, height_px) = targets.size_px();
         let view = View { width_px, height_px, ..*view };
         let fit = ShadowFit::new(
-            caster_bounds(scene),
+            self.caster_bounds(scene),
             scene.light.towards_key,
             view.camera.target_m,
             self.shared.shadow_px(),
@@ -131,10 +131,21 @@ impl Renderer {
         }
     }
 
+    /// What holds everything that stops light.
+    fn caster_bounds(&self, scene: &Scene) -> Option<Bounds> {
+        let bodies =
+            scene.bodies.iter().filter(|body| body.casts_shadow()).filter_map(|body| {
+                self.meshes.get(body.model)?.model.bounds(&body.world_from_joint)
+            });
+        let solids = scene.solids.iter().filter(|solid| solid.casts_shadow());
+        let solids = solids.filter_map(|solid| Bounds::of_points(&corners_m(solid)));
+        bodies.chain(solids).reduce(Bounds::union)
+    }
+
     fn prepare(&mut self, scene: &Scene, view: &View) {
         self.bodies.prepare(&self.gpu, &self.meshes, scene, view);
         self.solids.prepare(&self.gpu, scene);
-        self.ground_shade.prepare(&self.gpu, scene);
+        self.ground_shade.prepare(&self.gpu, &self.meshes, scene);
         self.flats.prepare(&self.gpu, scene);
         self.lines.prepare(&self.gpu, scene, view.pixels_per_point);
         self.labels.prepare(&self.gpu, scene, view);
@@ -298,13 +309,4 @@ impl Renderer {
         self.flats.draw_ids(&mut pass);
         self.lines.draw_ids(&mut pass);
     }
-}
-
-/// What holds everything that stops light.
-fn caster_bounds(scene: &Scene) -> Option<Bounds> {
-    let bodies = scene.bodies.iter().filter(|body| body.casts_shadow());
-    let bodies = bodies.filter_map(|body| Bounds::of_joints(&body.world_from_joint));
-    let solids = scene.solids.iter().filter(|solid| solid.casts_shadow());
-    let solids = solids.filter_map(|solid| Bounds::of_points(&corners_m(solid)));
-    bodies.chain(solids).reduce(Bounds::union)
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
 
+use crate::bounds::Bounds;
 use crate::color::LinearRgba;
 
 /// Names a mesh for as long as the program runs; a renderer keeps what it uploaded under it.
@@ -194,20 +195,66 @@ fn blend(vertex: &Vertex, world_from_mesh: &[Mat4]) -> Mat4 {
 pub struct BodyModel {
     /// Never empty; each has fewer triangles than the one before.
     levels: Vec<Arc<SkinnedMesh>>,
+    /// How far from each joint the surface goes that follows it, metres; 0 for joints that none
+    /// does.
+    reach_m: Vec<f32>,
 }
+
+/// A vertex that follows a joint by less than this stays with others.
+const LEAST_SHARE: f32 = 0.15;
 
 impl BodyModel {
     /// A model of one mesh or several, the finest first. `None` for none, or where joints differ.
     pub fn new(levels: Vec<Arc<SkinnedMesh>>) -> Option<Self> {
         let n_joints = levels.first()?.joint_from_mesh.len();
         let fits = levels.iter().all(|level| level.joint_from_mesh.len() == n_joints);
-        fits.then_some(Self { levels })
+        let reach_m = reach_m(levels.last()?);
+        fits.then_some(Self { levels, reach_m })
     }
 
     /// Its meshes, finest first.
     pub fn levels(&self) -> &[Arc<SkinnedMesh>] {
         &self.levels
     }
+
+    /// How many joints a pose of it has.
+    pub fn n_joints(&self) -> usize {
+        self.reach_m.len()
+    }
+
+    /// Balls that hold the surface in a pose between them: middles and radii, metres. Joints that no
+    /// surface follows have none.
+    pub fn balls_m(&self, world_from_joint: &[Mat4]) -> impl Iterator<Item = (Vec3, f32)> {
+        let joints = world_from_joint.iter().zip(&self.reach_m);
+        joints.filter(|(_, reach_m)| **reach_m > 0.0).map(|(world, reach_m)| {
+            let axes = [world.x_axis, world.y_axis, world.z_axis];
+            let stretch = axes.map(|axis| axis.truncate().length()).into_iter().fold(0.0, f32::max);
+            (world.w_axis.truncate(), reach_m * stretch)
+        })
+    }
+
+    /// A box that holds the body in a pose; `None` where no joint is at a place.
+    pub fn bounds(&self, world_from_joint: &[Mat4]) -> Option<Bounds> {
+        self.balls_m(world_from_joint)
+            .filter(|(middle, radius_m)| middle.is_finite() && radius_m.is_finite())
+            .map(|(middle, radius_m)| Bounds::of_point(middle).grown(radius_m))
+            .reduce(Bounds::union)
+    }
+}
+
+fn reach_m(mesh: &SkinnedMesh) -> Vec<f32> {
+    let mut reach_m = vec![0.0_f32; mesh.joint_from_mesh.len()];
+    for vertex in &mesh.vertices {
+        let most = vertex.weights.iter().copied().fold(0.0, f32::max);
+        for (&joint, &weight) in vertex.joints.iter().zip(&vertex.weights) {
+            if weight >= LEAST_SHARE.min(most) {
+                let joint = usize::from(joint);
+                let at = mesh.joint_from_mesh[joint].transform_point3(vertex.position_m);
+                reach_m[joint] = reach_m[joint].max(at.length());
+            }
+        }
+    }
+    reach_m
 }
 
 #[cfg(test)]
@@ -282,5 +329,28 @@ mod tests {
         assert!(BodyModel::new(Vec::new()).is_none());
         assert!(BodyModel::new(vec![of(2), of(3)]).is_none());
         assert_eq!(BodyModel::new(vec![of(2), of(2)]).unwrap().levels().len(), 2);
+    }
+
+    #[test]
+    fn balls_hold_the_surface_in_every_pose() {
+        let vertices = vec![vertex(0.0), vertex(1.0), vertex(2.0)];
+        let bind = vec![
+            Mat4::from_translation(-Vec3::Y),
+            Mat4::from_translation(-Vec3::X),
+            Mat4::IDENTITY,
+        ];
+        let mesh = SkinnedMesh::new(vertices, vec![[0, 1, 2]], bind, parts(1)).unwrap();
+        let model = BodyModel::new(vec![Arc::new(mesh.clone())]).unwrap();
+        let turn = Mat4::from_rotation_z(1.0);
+        let pose =
+            [Mat4::from_translation(Vec3::Y), turn * Mat4::from_scale(Vec3::splat(2.0)), turn];
+        assert_eq!(model.balls_m(&pose).count(), 2, "nothing follows the third joint");
+        let bounds = model.bounds(&pose).unwrap();
+        let skin = mesh.skin_matrices(&pose);
+        for vertex in mesh.vertices() {
+            let at = SkinnedMesh::skinned_position_m(vertex, &skin);
+            assert_eq!(bounds.union(Bounds::of_point(at)), bounds, "{at}");
+        }
+        assert_eq!(model.bounds(&[Mat4::NAN; 3]), None);
     }
 }

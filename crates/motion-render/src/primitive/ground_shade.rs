@@ -8,6 +8,7 @@ use motion_scene::scene::Scene;
 
 use crate::buffers::GrowBuffer;
 use crate::gpu::Gpu;
+use crate::mesh_cache::MeshCache;
 use crate::pipeline::{Blend, Depth, Output, PipelineSpec};
 use crate::primitive::solids::corners_m;
 use crate::shader_source::GROUND_SHADE;
@@ -29,8 +30,8 @@ pub(crate) struct GroundShade {
 
 /// The floor is shaded in squares of this size; only those that a shadow may touch are looked at.
 const CELL_M: f32 = 0.5;
-/// From a joint to the edge of its shadow, flesh and softness together.
-const REACH_M: f32 = 0.25;
+/// Edges of shadows are soft.
+const SOFT_M: f32 = 0.04;
 /// Joints up to this high darken the floor below them.
 const CONTACT_HEIGHT_M: f32 = 0.22;
 /// The flesh around a foot's joint.
@@ -73,7 +74,7 @@ impl GroundShade {
     }
 
     /// Finds where the scene's bodies and solids darken the floor.
-    pub(crate) fn prepare(&mut self, gpu: &Gpu, scene: &Scene) {
+    pub(crate) fn prepare(&mut self, gpu: &Gpu, meshes: &MeshCache, scene: &Scene) {
         if scene.ground.is_none() {
             self.cells.write::<GpuCell>(gpu, &[]);
             self.balls.write::<Vec4>(gpu, &[]);
@@ -82,10 +83,12 @@ impl GroundShade {
         let mut squares = Squares::default();
         let mut balls: Vec<Vec4> = Vec::new();
         let towards_key = scene.light.towards_key;
+        // The shadow of a ball is longer than the ball where light falls at a slant.
+        let slant = 1.0 / towards_key.y.max(0.05);
         for body in scene.bodies.iter().filter(|body| body.casts_shadow()) {
-            for world in &body.world_from_joint {
-                let joint = world.w_axis.truncate();
-                squares.add(&[on_floor(joint, towards_key)], REACH_M);
+            let Some(model) = meshes.get(body.model) else { continue };
+            for (joint, radius_m) in model.model.balls_m(&body.world_from_joint) {
+                squares.add(&[on_floor(joint, towards_key)], radius_m * slant + SOFT_M);
                 if joint.y < CONTACT_HEIGHT_M && joint.is_finite() {
                     balls.push(joint.extend(CONTACT_RADIUS_M));
                 }
@@ -93,7 +96,7 @@ impl GroundShade {
         }
         for solid in scene.solids.iter().filter(|solid| solid.casts_shadow()) {
             let corners = corners_m(solid).map(|corner| on_floor(corner, towards_key));
-            squares.add(&corners, 0.05);
+            squares.add(&corners, SOFT_M);
         }
         self.cells.write(gpu, &squares.cells());
         self.balls.write(gpu, &balls);

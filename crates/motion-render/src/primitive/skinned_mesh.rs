@@ -154,7 +154,7 @@ impl SkinnedMeshes {
             if joint_from_mesh.len() != body.world_from_joint.len() {
                 continue;
             }
-            let Some(bounds) = Bounds::of_joints(&body.world_from_joint) else { continue };
+            let Some(bounds) = model.model.bounds(&body.world_from_joint) else { continue };
             let instance = GpuInstance {
                 tint: Vec4::from(match body.look {
                     Look::Solid(tint) => tint.0,

@@ -93,8 +93,13 @@ pub(crate) fn project_on_stage(
     theme: Theme,
     wardrobe: &mut Wardrobe<'_>,
 ) -> Result<Shown, Failure> {
-    let unmet: Vec<String> =
-        solved.report.characters.iter().flat_map(|c| c.unmet.iter().cloned()).collect();
+    let mut unmet: Vec<String> = Vec::new();
+    for sentence in solved.report.characters.iter().flat_map(|character| &character.unmet) {
+        // What is not met in the project as a whole is said of every character.
+        if !unmet.contains(sentence) {
+            unmet.push(sentence.clone());
+        }
+    }
     let parts = cast::parts(solved, take).map_err(|nobody| match nobody {
         NobodyError::NoMotion(_) if !unmet.is_empty() => {
             Failure::Other(anyhow::anyhow!("{}", unmet.join("; ")))

@@ -43,6 +43,8 @@ const MAX_FAN: usize = 16;
 /// What a fan takes of the height at first, and at least when it does not need it.
 const FAN_SHARE: f32 = 0.73;
 const MIN_FAN_SHARE: f32 = 0.58;
+/// Rows of a header, points.
+const HEADER_PT: f32 = 2.0 * LABEL_PT;
 /// Beside what its bodies take of its height, a fan has this share for words and air.
 const FAN_AIR: f32 = 0.2;
 
@@ -58,8 +60,12 @@ impl SheetPlan<'_> {
         let gap = (height / 400).clamp(1, 8);
         let travels = self.paths_m().iter().any(|path| fan::extent_m(path) >= TRAVELS_M);
         let scale = pixels_per_point(height) * 0.72;
-        let new_layout =
-            |share: Option<f32>| SheetLayout::new(width, height, gap, share, self.frames.len());
+        // Without a fan that has room for it, the title stands above all.
+        let header = if travels { 0 } else { ((HEADER_PT * scale) as u32).min(height / 8) };
+        let new_layout = |share: Option<f32>| {
+            let below = height - header;
+            SheetLayout::new(width, below, gap, share, self.frames.len()).below(header)
+        };
         let mut layout = new_layout(travels.then_some(FAN_SHARE));
         if let Some(at) = layout.fan {
             // A way across needs no height: the moments below take what it leaves.
@@ -75,6 +81,14 @@ impl SheetPlan<'_> {
             angle = fan.camera;
             let picture = painter.paint(&fan.scene, fan.camera, size_of(at), scale)?;
             place(&mut sheet, &picture, at);
+        }
+        if header > 0 {
+            let mut scene = Scene::empty(self.stage.theme);
+            scene.ground = None;
+            let middle = Vec2::new(10.0, 0.5 * header as f32 / scale);
+            scene.labels.push(self.label(self.title.to_owned(), middle, ColorRole::FaintText));
+            let at = Rect { left: 0, top: 0, width, height: header };
+            place(&mut sheet, &painter.paint(&scene, angle, size_of(at), scale)?, at);
         }
         let cells: Vec<(usize, Rect)> = fan::spread(self.frames.len(), layout.cells.len())
             .into_iter()
@@ -94,11 +108,6 @@ impl SheetPlan<'_> {
             }
             let corner = Vec2::new(7.0, 4.0 + 0.5 * LABEL_PT);
             scene.labels.push(self.label(format!("f {frame}"), corner, ColorRole::Text));
-            if nth == 0 && layout.fan.is_none() {
-                // The first cell has the title below its number.
-                let below = corner + Vec2::Y * 1.4 * LABEL_PT;
-                scene.labels.push(self.label(self.title.to_owned(), below, ColorRole::FaintText));
-            }
             place(&mut sheet, &painter.paint(&scene, camera, size_of(at), scale)?, at);
         }
         Ok(sheet)

@@ -20,6 +20,15 @@ const N_ROWS: u32 = 3;
 const MAX_IN_A_ROW: u32 = 12;
 
 impl SheetLayout {
+    /// The layout below a header of `header` rows.
+    #[must_use]
+    pub(crate) fn below(mut self, header: u32) -> Self {
+        for place in self.fan.iter_mut().chain(&mut self.cells) {
+            place.top += header;
+        }
+        self
+    }
+
     /// The layout of a sheet of `width` × `height` pixels for a motion of `n_frames`. A fan, where there
     /// is one, takes `fan_share` of the height. Between places are `gap` pixels.
     pub(crate) fn new(

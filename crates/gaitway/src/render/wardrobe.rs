@@ -56,8 +56,20 @@ impl<'a> Wardrobe<'a> {
 
     /// The body of a motion's own file; `None`, with a warning, where it has none that can be shown.
     pub(crate) fn own_body(&mut self, path: &Path) -> Option<Arc<Character>> {
-        match self.character(path) {
-            Ok(character) => Some(character),
+        let mut again = Warnings::new();
+        let character = read_character(path, &CharacterOptions::default(), &mut again);
+        // The file was read for its motion before; what is odd about it was said then.
+        for warning in again.as_slice() {
+            if !self.warnings.as_slice().contains(warning) {
+                self.warnings.warn(&warning.path, warning.line, warning.what.clone());
+            }
+        }
+        match character {
+            Ok(character) => {
+                let character = Arc::new(character);
+                self.read.insert(path.to_owned(), Arc::clone(&character));
+                Some(character)
+            }
             Err(error) => {
                 let what = format!("a mannequin is shown, since {}", error.what);
                 self.warnings.warn(path, error.line, what);

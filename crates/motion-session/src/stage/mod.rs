@@ -146,7 +146,12 @@ impl Stage {
                 scene.bodies.push(body);
                 let Some(bounds) = bounds else { continue };
                 let over_m = bounds.center().with_y(bounds.max_m.y + OVER_HEAD_M);
-                scene.labels.push(self.label(frame.to_string(), over_m));
+                // Of several people it is said whose frame it is.
+                let number = match self.actors.len() {
+                    1 => frame.to_string(),
+                    _ => format!("{} {frame}", actor.name),
+                };
+                scene.labels.push(self.label(number, over_m));
             }
             if show.trail {
                 scene.lines.extend(self.coloured_way(actor));

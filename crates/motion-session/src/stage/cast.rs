@@ -108,3 +108,71 @@ pub fn look_of(nth: usize, theme: Theme) -> Look {
         Some(other) => Look::Solid(neutral.mixed(ColorRole::Take(other).color(theme), TINT)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use motion_io::diagnostic::Warnings;
+    use motion_io::project_file;
+    use motion_io::report_file::{AlternativeReport, CharacterReport, ConstraintReport, Report};
+
+    use super::*;
+    use crate::fixture::library;
+    use crate::project_job::SolvedCharacter;
+
+    /// A character whose two motions are clips of the fixture, and one who has none.
+    fn solved() -> Solved {
+        let library = library();
+        let motions: Vec<Motion> =
+            library.clips.clips()[..2].iter().map(|clip| clip.motion.clone()).collect();
+        let missed = ConstraintReport { constraint: "end".into(), ..ConstraintReport::default() };
+        let second = AlternativeReport { final_: vec![missed], ..AlternativeReport::default() };
+        let report = |name: &str, alternatives| CharacterReport {
+            name: name.to_owned(),
+            alternatives,
+            ..CharacterReport::default()
+        };
+        Solved {
+            report: Report {
+                characters: vec![report("A", vec![AlternativeReport::default(), second])],
+                ..Report::default()
+            },
+            characters: vec![SolvedCharacter { library, motions }],
+        }
+    }
+
+    #[test]
+    fn a_take_is_one_of_those_that_there_are() {
+        let mut solved = solved();
+        let found = parts(&solved, 1).unwrap();
+        assert_eq!(*found[0].motion, solved.characters[0].motions[1]);
+        assert!(found[0].soles.height_m.iter().all(|&sole| (0.0..0.1).contains(&sole)));
+        let missing = parts(&solved, 2).unwrap_err();
+        assert_eq!(missing.to_string(), "there are 2 motions for A; ask for one of them");
+        solved.characters[0].motions.clear();
+        assert_eq!(parts(&solved, 0).unwrap_err(), NobodyError::NoMotion("A".to_owned()));
+    }
+
+    #[test]
+    fn roles_have_the_misses_and_the_way_of_their_take() {
+        let solved = solved();
+        let text = "{\"gaitway\": 1, \"name\": \"p\", \"fps\": 30, \"library\": \"builtin\",
+             \"characters\": [{\"name\": \"A\", \"constraints\": [{\"id\": \"end\", \"kind\": \"body\",
+              \"frame\": 5, \"position\": [1, 2]}]}]}";
+        let path = Path::new("p.gaitway");
+        let project = project_file::read(text.as_bytes(), path, &mut Warnings::new()).unwrap();
+        let stage = stage_of_project(&project, &solved, 1, Vec::new(), Theme::Dark);
+        let [role] = stage.roles.as_slice() else { panic!("one role") };
+        assert_eq!(role.misses[0].constraint, "end");
+        assert_eq!(role.root_path_m, solved.characters[0].motions[1].root_positions_m());
+        assert_eq!(role.constraints, project.characters[0].constraints);
+    }
+
+    #[test]
+    fn the_first_is_neutral_and_others_are_told_apart() {
+        let looks = [0, 1, 2].map(|nth| look_of(nth, Theme::Dark));
+        assert_eq!(looks[0], Look::neutral(Theme::Dark));
+        assert!(looks[0] != looks[1] && looks[1] != looks[2]);
+    }
+}

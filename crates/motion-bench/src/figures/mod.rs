@@ -5,6 +5,7 @@ mod assembly;
 pub(crate) mod build;
 mod candidates;
 mod correction;
+mod film;
 mod first_acceptable;
 mod leaf_edges;
 mod load;
@@ -44,6 +45,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure { name: "seams", measure: seams::measure },
     Figure { name: "assembly", measure: assembly::measure },
     Figure { name: "picture", measure: picture::measure },
+    Figure { name: "film", measure: film::measure },
 ];
 
 /// What figures share; made when the first one asks for it.

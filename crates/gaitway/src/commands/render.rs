@@ -26,7 +26,7 @@ use crate::render::delays;
 use crate::render::film::{FilmPlan, stopped};
 use crate::render::film_frames::{film_frames, usual_fps};
 use crate::render::format::Format;
-use crate::render::input::{Shown, load, project_on_stage};
+use crate::render::input::{Shown, is_project, load, project_on_stage};
 use crate::render::painter::{Painter, pixels_per_point};
 use crate::render::png::png;
 use crate::render::sheet::SheetPlan;
@@ -170,6 +170,13 @@ fn check(args: &Render, format: Format) -> Result<(), Failure> {
     }
     if !format.is_film() && args.fps.is_some() {
         return wrong("--fps is for films, and this is a picture", "leave it out, or use .gif");
+    }
+    let of_search =
+        args.take > 1 || args.library.is_some() || args.iterations.is_some() || args.time.is_some();
+    if of_search && !is_project(&args.input) {
+        let what =
+            "it is a motion, and --take, --library, --iterations and --time are for projects";
+        return Err(FileError::new(&args.input, what, "leave them out").into());
     }
     let is_too_fast = |fps: motion_core::units::Fps| fps.get() > delays::MAX_FPS;
     if format == Format::Gif && args.fps.is_some_and(is_too_fast) {

@@ -38,6 +38,11 @@ pub(crate) struct Shown {
 /// Enough for a good motion of a small project, and the same one every time.
 const ROUNDS: u64 = 60;
 
+/// Whether a file is a project, by its ending.
+pub(crate) fn is_project(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gaitway"))
+}
+
 /// Reads a motion, or solves a project, and puts it on a stage.
 pub(crate) fn load(
     console: &Console,
@@ -49,8 +54,7 @@ pub(crate) fn load(
         TypedTheme::Dark => Theme::Dark,
         TypedTheme::Light => Theme::Light,
     };
-    let is_project = args.input.extension().is_some_and(|e| e.eq_ignore_ascii_case("gaitway"));
-    if !is_project {
+    if !is_project(&args.input) {
         return motion(console, args, theme);
     }
     let mut warnings = Warnings::new();

@@ -145,6 +145,7 @@ fn a_project_shows_its_best_motion_the_same_every_time() {
 fn what_cannot_be_drawn_is_said_before_anything_is_done() {
     let dir = dir_with_walk();
     dir.file("not.glb", "glTF and nothing else");
+    dir.file("nobody.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
     let help = "`gaitway render --help` says what can be given";
     for (line, expected) in [
         (
@@ -197,6 +198,16 @@ fn what_cannot_be_drawn_is_said_before_anything_is_done() {
             "walk.bvh -o a.png --character walk.bvh",
             "walk.bvh: it is no glTF file; choose a .glb or .gltf with a skinned body",
         ),
+        (
+            "walk.bvh -o a.png --character nobody.gltf",
+            "nobody.gltf: there is no skin in the file: its mesh is bound to no skeleton; export the \
+             character with its armature and skin",
+        ),
+        (
+            "walk.bvh -o a.png --take 2",
+            "walk.bvh: it is a motion, and --take, --library, --iterations and --time are for \
+             projects; leave them out",
+        ),
     ] {
         gaitway(&dir, &format!("render {line}")).refused(&format!("gaitway: {expected}"));
     }
@@ -206,7 +217,7 @@ fn what_cannot_be_drawn_is_said_before_anything_is_done() {
         assert!(ran.stderr.starts_with("gaitway: not.glb: "), "{}", ran.stderr);
     }
     let names: Vec<String> = dir.files().into_iter().map(|(name, _)| name).collect();
-    assert_eq!(names, ["not.glb", "walk.bvh"], "nothing else is left");
+    assert_eq!(names, ["nobody.gltf", "not.glb", "walk.bvh"], "nothing else is left");
 }
 
 #[test]
@@ -284,4 +295,39 @@ fn no_adapter_is_one_clear_line() {
     assert_eq!(said.lines().count(), 1, "{said}");
     assert!(said.starts_with("gaitway: no graphics adapter can draw here"), "{said}");
     assert!(!dir.join("a.png").exists());
+}
+
+/// Real characters are not ours to commit.
+#[test]
+fn characters_show_their_own_motions_and_others() {
+    let Some(shared) = motion_tests::shared_dir() else { return };
+    let character = shared.join("characters/CesiumMan.glb");
+    if !character.is_file() || !can_draw() {
+        return;
+    }
+    let dir = dir_with_walk();
+    let picture = |name: &str, args: &[&std::ffi::OsStr]| {
+        let end = ["-o", name, "--frame", "9", "--size", "120x160"];
+        let args: Vec<&std::ffi::OsStr> = ["render".as_ref()]
+            .into_iter()
+            .chain(args.iter().copied())
+            .chain(end.map(AsRef::as_ref))
+            .collect();
+        motion_tests::cli::run(env!("CARGO_BIN_EXE_gaitway"), dir.path(), &args).ok();
+        pixels(&dir, name).2
+    };
+    let own = picture("own.png", &[character.as_os_str()]);
+    let walk = "walk.bvh".as_ref();
+    let dressed = picture("dressed.png", &[walk, "--character".as_ref(), character.as_os_str()]);
+    let mannequin = picture("mannequin.png", &[walk]);
+    // The suit has green stripes; a mannequin has no colours.
+    let n_green =
+        |rgb: &[u8]| rgb.chunks_exact(3).filter(|p| p[1] > p[0] + 25 && p[1] > p[2] + 25).count();
+    assert!(
+        n_green(&own) > 20 && n_green(&dressed) > 20,
+        "{}, {}",
+        n_green(&own),
+        n_green(&dressed)
+    );
+    assert_eq!(n_green(&mannequin), 0);
 }

@@ -3,8 +3,11 @@
 @group(1) @binding(0) var shadow_map: texture_depth_2d;
 @group(1) @binding(1) var shadow_sampler: sampler_comparison;
 
+// What is further from the light than the map reaches is compared as if it were at its end, where
+// nothing stands before it.
 fn in_shadow_map(p_in_world: vec3f) -> vec3f {
-    return (frame.shadow_from_world * vec4f(p_in_world, 1.0)).xyz;
+    let at = (frame.shadow_from_world * vec4f(p_in_world, 1.0)).xyz;
+    return vec3f(at.xy, min(at.z, 1.0));
 }
 
 // One tap is the mean of four comparisons.

@@ -57,9 +57,11 @@ struct Batch {
     instances: std::ops::Range<u32>,
 }
 
-/// A body this many pixels high is drawn with so many triangles per squared pixel of its height, a
-/// triangle for about six pixels of it.
-const TRIANGLES_PER_SQUARED_HEIGHT: f32 = 0.04;
+/// How many triangles a body gets for each squared pixel of its height: on a graphics card one for
+/// about six pixels of it, in software, where small triangles cost as much as large ones, for about
+/// twenty.
+const DETAIL: f32 = 0.04;
+const SOFTWARE_DETAIL: f32 = 0.012;
 /// Its shadow is soft.
 const SHADOW_SHARE: f32 = 0.3;
 
@@ -148,6 +150,7 @@ impl SkinnedMeshes {
         let mut joints: Vec<GpuJoint> = Vec::new();
         let mut entries: Vec<(Purpose, MeshId, usize, GpuInstance)> = Vec::new();
         let frustum = Frustum::new(view.camera.clip_from_world(view.viewport()));
+        let detail = if gpu.is_software() { SOFTWARE_DETAIL } else { DETAIL };
         for body in &scene.bodies {
             let Some(model) = meshes.get(body.model) else { continue };
             let joint_from_mesh = model.model.levels()[0].joint_from_mesh();
@@ -168,7 +171,7 @@ impl SkinnedMeshes {
             };
             let pairs = body.world_from_joint.iter().zip(joint_from_mesh);
             joints.extend(pairs.map(|(world, bind)| GpuJoint::new(&(*world * *bind))));
-            let wanted = TRIANGLES_PER_SQUARED_HEIGHT * height_px(&bounds, view).powi(2);
+            let wanted = detail * height_px(&bounds, view).powi(2);
             if body.casts_shadow() {
                 let level = model.level_with(SHADOW_SHARE * wanted);
                 entries.push((Purpose::Shadow, body.model, level, instance));

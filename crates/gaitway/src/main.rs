@@ -7,6 +7,8 @@ mod interrupt;
 mod output;
 mod plan;
 #[cfg(feature = "render")]
+mod quiet_drivers;
+#[cfg(feature = "render")]
 mod render;
 
 use std::process::ExitCode;
@@ -27,6 +29,10 @@ fn main() -> ExitCode {
 }
 
 fn run(args: Args) -> Result<(), Failure> {
+    #[cfg(feature = "render")]
+    if matches!(args.command, None | Some(args::Command::Render(_))) {
+        quiet_drivers::start_over_quietly();
+    }
     plan::use_threads(args.common.threads)?;
     match args.command {
         Some(command) => commands::run(&args.common, command),

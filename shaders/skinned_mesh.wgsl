@@ -78,7 +78,7 @@ fn nothing() -> @location(0) vec4f {
 fn ghost(in: Skinned) -> @location(0) vec4f {
     let normal = normalize(in.normal);
     let facing = abs(dot(normal, towards_eye(in.p_in_world)));
-    let rim = pow(1.0 - facing, 2.0);
+    let rim = (1.0 - facing) * (1.0 - facing);
     let tint = instances[in.instance].tint;
     let shade = 0.75 + 0.25 * normal.y;
     let color = mix(tint.rgb * shade, tint.rgb + 0.25, rim);

@@ -1,8 +1,10 @@
 //! The application without a window.
 //!
 //! [`library_job`] makes a [`Library`] of files; [`problem`] gives a project its meaning for one;
-//! [`solve_job`] searches, under a budget, and reports; [`stage`] says what is to be seen. Nothing here prints or waits for a person:
-//! jobs take a cancel token and a callback that hears how far they are.
+//! [`solve_job`] searches, under a budget, and reports; [`stage`] says what is to be seen. Nothing here
+//! prints or waits for a person: jobs take a cancel token and a callback that hears how far they are.
+//!
+//! What is authored is a [`document`], changed by [`command`]s and kept in a [`history`].
 
 pub mod error;
 pub mod library;
@@ -19,6 +21,10 @@ pub mod results;
 pub mod sample;
 pub mod solve_job;
 pub mod unmet;
+
+pub mod command;
+pub mod document;
+pub mod history;
 
 pub mod stage;
 

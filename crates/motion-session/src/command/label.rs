@@ -1,0 +1,47 @@
+//! What a command is called in the undo menu.
+
+use super::Command;
+
+impl Command {
+    /// A verb and what it is about, as it stands behind "Undo".
+    pub fn label(&self) -> &'static str {
+        match self {
+            Self::AddCheckpoint { .. } => "Add checkpoint",
+            Self::AddJointTarget { .. } => "Add joint target",
+            Self::AddPose { .. } => "Add pose",
+            Self::AddStyle { .. } => "Add style",
+            Self::AddPath { .. } => "Draw path",
+            Self::AddLock { .. } => "Lock stretch",
+            Self::Move { .. } => "Move",
+            Self::Turn { .. } => "Turn",
+            Self::Raise { .. } => "Change height",
+            Self::MoveJointTarget { .. } => "Move joint target",
+            Self::SetVelocity { .. } => "Change velocity",
+            Self::SetTag { .. } => "Change style",
+            Self::Reshape { .. } => "Reshape path",
+            Self::Retime { .. } | Self::RetimeSpan { .. } => "Retime",
+            Self::Duplicate { .. } => "Duplicate",
+            Self::Remove { .. } => "Delete",
+            Self::SetWeight { .. } => "Change weight",
+            Self::SetTolerance { .. } => "Change tolerance",
+            Self::AddObstacle { .. } => "Add obstacle",
+            Self::ChangeObstacle { .. } => "Change obstacle",
+            Self::RemoveObstacle { .. } => "Delete obstacle",
+            Self::SetLength { .. } => "Change length",
+            Self::SetLengthWeight { .. } | Self::SetTermWeight { .. } => "Change weights",
+            Self::SetPalette { .. } => "Change palette",
+            Self::SetSeed { .. } => "Change seed",
+            Self::SetMirror { .. } => "Change mirroring",
+            Self::SetBridges { .. } => "Change bridges",
+            Self::SetLibrary { .. } => "Change library",
+            Self::RenameProject { .. } => "Rename project",
+            Self::AddCharacter { .. } => "Add character",
+            Self::RenameCharacter { .. } => "Rename character",
+            Self::RemoveCharacter { .. } => "Delete character",
+            Self::SetBody { .. } => "Change body",
+            Self::PinTake { .. } => "Pin take",
+            Self::UnpinTake { .. } => "Unpin take",
+            Self::NameTake { .. } => "Name take",
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! What commands refuse, and what they leave alone.
+
+use std::sync::Arc;
+
+use super::*;
+use crate::sample;
+
+fn document() -> Document {
+    Document::from_project(sample::sample().unwrap())
+}
+
+fn at(id: &str) -> ConstraintRef {
+    ConstraintRef::new(CharacterIdx(0), id)
+}
+
+/// What the sample says to these commands, one after the other.
+#[track_caller]
+fn check(commands: &[Command], expected: &str) {
+    let said = match apply_all(&document(), commands) {
+        Ok(_) => "fine".to_owned(),
+        Err(error) => error.to_string(),
+    };
+    assert_eq!(said, expected, "{commands:?}");
+}
+
+#[test]
+fn refusals_are_sentences() {
+    let remove = |id| Command::Remove { at: at(id) };
+    let retime = |id, frame| Command::Retime { at: at(id), frame };
+    let exact = |frames| Command::SetLength {
+        character: CharacterIdx(0),
+        frames: Some(frames),
+        mode: LengthMode::Exact,
+    };
+    check(&[remove("corner")], "fine");
+    check(
+        &[remove("corner"), remove("end")],
+        "a motion needs a start and an end; move this checkpoint instead of deleting it",
+    );
+    check(
+        &[remove("start")],
+        "the motion begins at this checkpoint; move it instead of deleting it",
+    );
+    check(&[remove("start2")], "there is no \"start2\" any more");
+    check(&[retime("corner", 100)], "fine");
+    check(
+        &[retime("corner", 239)],
+        "there is a checkpoint at frame 239 already; choose another frame",
+    );
+    check(&[retime("start", 4)], "the start stays at frame 0; move other checkpoints in time");
+    check(&[retime("start", 0)], "fine");
+    check(&[retime("end", 1_000_000)], "a frame must be below a million");
+    check(&[exact(240)], "fine");
+    let beyond = "frame 239 is behind the end of a motion of exactly 200 frames; make the motion \
+                  longer first";
+    check(&[exact(200)], beyond);
+    check(&[exact(240), retime("end", 238), exact(239)], "fine");
+    check(&[Command::Duplicate { at: at("corner"), frame: 60 }, remove("body-1")], "fine");
+    check(
+        &[Command::Move { at: at("end"), position_m: [0.0, f64::NAN] }],
+        "a place must be within 10 km of the origin",
+    );
+    check(
+        &[Command::SetTag { at: at("end"), tag: "run".to_owned() }],
+        "a body constraint has no tag",
+    );
+    check(
+        &[Command::AddCharacter { name: "a".to_owned() }],
+        "another character is called \"A\"; choose another name",
+    );
+    check(
+        &[Command::RemoveCharacter { character: CharacterIdx(0) }],
+        "a project needs a character; rename this one instead of deleting it",
+    );
+}
+
+#[test]
+fn what_is_not_touched_is_shared() {
+    let two = apply(&document(), &Command::AddCharacter { name: "B".to_owned() }).unwrap();
+    let moved = Command::Move { at: at("end"), position_m: [1.0, 1.0] };
+    let after = apply(&two, &moved).unwrap();
+    assert!(Arc::ptr_eq(&after.head, &two.head) && Arc::ptr_eq(&after.takes, &two.takes));
+    assert!(Arc::ptr_eq(&after.characters[1], &two.characters[1]));
+    assert!(!after.asks_the_same_as(&two));
+    let renamed = Command::RenameProject { name: "other".to_owned() };
+    assert!(apply(&two, &renamed).unwrap().asks_the_same_as(&two));
+}
+
+#[test]
+fn a_take_is_kept_while_it_is_pinned_or_named() {
+    let take = StoredTake {
+        character: "A".to_owned(),
+        name: None,
+        pinned: false,
+        pieces: vec![crate::document::TakePiece { clip: "walk".to_owned(), from: 0, to: 9 }],
+        extra: Default::default(),
+    };
+    let id = take.id();
+    let kept = |commands: &[Command]| {
+        let after = apply_all(&document(), commands).unwrap();
+        after.takes().get("A", id).map(|t| (t.pinned, t.name.clone()))
+    };
+    let pin = Command::PinTake { take: take.clone() };
+    let name = |name: Option<&str>| Command::NameTake {
+        take: take.clone(),
+        name: name.map(str::to_owned),
+    };
+    let unpin = Command::UnpinTake { character: CharacterIdx(0), take: id };
+    assert_eq!(kept(std::slice::from_ref(&pin)), Some((true, None)));
+    assert_eq!(kept(&[pin.clone(), name(Some("x"))]), Some((true, Some("x".to_owned()))));
+    assert_eq!(
+        kept(&[pin.clone(), name(Some("x")), unpin.clone()]),
+        Some((false, Some("x".to_owned())))
+    );
+    assert_eq!(kept(&[pin, name(Some("x")), unpin, name(None)]), None);
+    let rename = Command::RenameCharacter { character: CharacterIdx(0), name: "Z".to_owned() };
+    let after = apply_all(&document(), &[name(Some("x")), rename]).unwrap();
+    assert!(after.takes().get("Z", id).is_some(), "takes follow their character's name");
+}

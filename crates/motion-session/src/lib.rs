@@ -25,6 +25,8 @@ pub mod unmet;
 pub mod command;
 pub mod document;
 pub mod history;
+pub mod playback;
+pub mod selection;
 
 pub mod stage;
 

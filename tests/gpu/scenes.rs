@@ -40,7 +40,7 @@ fn actor(skeleton: Skeleton, motion: Motion, theme: Theme) -> Actor {
 }
 
 /// A built-in clip on the built-in body.
-fn performer(clip: &str, theme: Theme) -> Actor {
+pub(crate) fn performer(clip: &str, theme: Theme) -> Actor {
     let clips = motion_performer::builtin_clips().unwrap();
     let found = clips.clips().iter().find(|c| c.id == clip).expect("it is built in");
     actor(clips.skeleton().clone(), found.motion.clone(), theme)

@@ -178,6 +178,12 @@ fn check(args: &Render, format: Format) -> Result<(), Failure> {
             "it is a motion, and --take, --library, --iterations and --time are for projects";
         return Err(FileError::new(&args.input, what, "leave them out").into());
     }
+    let reading = &args.reading;
+    let of_file = reading.scale.is_some() || reading.up.is_some() || reading.roles.is_some();
+    if of_file && is_project(&args.input) {
+        let what = "it is a project, and --scale, --up and --roles are for motion files";
+        return Err(FileError::new(&args.input, what, "leave them out").into());
+    }
     let is_too_fast = |fps: motion_core::units::Fps| fps.get() > delays::MAX_FPS;
     if format == Format::Gif && args.fps.is_some_and(is_too_fast) {
         return wrong("a GIF shows at most 50 pictures a second", "use a lower --fps, or .mp4");

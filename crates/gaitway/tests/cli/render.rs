@@ -208,6 +208,11 @@ fn what_cannot_be_drawn_is_said_before_anything_is_done() {
             "walk.bvh: it is a motion, and --take, --library, --iterations and --time are for \
              projects; leave them out",
         ),
+        (
+            "none.gaitway -o a.png --scale 0.01",
+            "none.gaitway: it is a project, and --scale, --up and --roles are for motion files; \
+             leave them out",
+        ),
     ] {
         gaitway(&dir, &format!("render {line}")).refused(&format!("gaitway: {expected}"));
     }

@@ -129,7 +129,10 @@ fn final_errors(character: &CharacterProblem, made: &Assembled) -> Vec<BodyError
         .collect()
 }
 
-fn constraint_reports(character: &CharacterProblem, errors: &[BodyError]) -> Vec<ConstraintReport> {
+pub(crate) fn constraint_reports(
+    character: &CharacterProblem,
+    errors: &[BodyError],
+) -> Vec<ConstraintReport> {
     character
         .body_ids
         .iter()

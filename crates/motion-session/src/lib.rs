@@ -25,6 +25,7 @@ pub mod unmet;
 pub mod command;
 pub mod document;
 pub mod history;
+pub mod live;
 pub mod playback;
 pub mod selection;
 

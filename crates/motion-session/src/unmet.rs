@@ -10,7 +10,6 @@ use crate::solve_job::Found;
 pub fn unmet(character: &CharacterProblem, library: &Library, found: &Found) -> Vec<String> {
     let mut sentences = Vec::new();
     let wishes = &character.problem.wishes;
-    let fps = library.clips.fps().get();
     if let Some(best) = found.alternatives.first() {
         for (id, error) in character.body_ids.iter().zip(&best.judgement.body) {
             if error.is_within_tolerance() {
@@ -52,12 +51,18 @@ pub fn unmet(character: &CharacterProblem, library: &Library, found: &Found) -> 
         );
     }
     if !sentences.is_empty() {
-        let ids = character.body_ids.iter().map(String::as_str);
-        let named: Vec<(&str, &BodyConstraint)> = ids.zip(&wishes.body).collect();
-        sentences.extend(too_fast(&named, fps, top_speed_m_s(character, library)));
+        sentences.extend(infeasible(character, library));
     }
     sentences.extend(character.left_out.iter().cloned());
     sentences
+}
+
+/// What cannot be, whatever is found: a sentence for each pair of constraints that are too far apart
+/// for their times.
+pub(crate) fn infeasible(character: &CharacterProblem, library: &Library) -> Vec<String> {
+    let ids = character.body_ids.iter().map(String::as_str);
+    let named: Vec<(&str, &BodyConstraint)> = ids.zip(&character.problem.wishes.body).collect();
+    too_fast(&named, library.clips.fps().get(), top_speed_m_s(character, library))
 }
 
 /// Pairs of constraints that ask for more speed than any clip in use has.

@@ -9,6 +9,7 @@ use glam::Vec3;
 use super::library::SearchLibrary;
 use super::problem::Target;
 use super::route::Route;
+use crate::path::Path;
 use crate::planar::PlanarTransform;
 
 /// Mean joint distance from which two motions are different, metres.
@@ -33,6 +34,8 @@ pub(crate) struct Alternatives {
 pub(crate) struct Kept {
     pub(crate) route: Route,
     pub(crate) found_in: u64,
+    /// The kept motion that it came from or took the place of.
+    pub(crate) improves: Option<Path>,
 }
 
 impl Alternatives {
@@ -44,7 +47,7 @@ impl Alternatives {
         &self.kept
     }
 
-    /// Takes a local minimum in unless a better one is the same motion; a better one replaces
+    /// Takes a motion in unless a better one is the same motion; a better one replaces
     /// those that it is the same motion as. Returns whether it was taken.
     pub(crate) fn offer(
         &mut self,
@@ -52,6 +55,7 @@ impl Alternatives {
         target: &Target,
         route: &Route,
         round: u64,
+        improves: Option<Path>,
     ) -> bool {
         let full = self.kept.len() >= self.n_max;
         if full && self.kept.last().is_some_and(|worst| worst.route.score <= route.score) {
@@ -63,11 +67,18 @@ impl Alternatives {
             return false;
         }
         let mut behind = self.kept.split_off(at);
+        let replaced = behind.iter().find(|kept| same(kept)).map(|kept| kept.route.path.clone());
         behind.retain(|kept| !same(kept));
-        self.kept.push(Kept { route: route.clone(), found_in: round });
+        let improves = improves.or(replaced);
+        self.kept.push(Kept { route: route.clone(), found_in: round, improves });
         self.kept.append(&mut behind);
         self.kept.truncate(self.n_max);
         true
+    }
+
+    /// Drops the motion with this path, from which a better one has come.
+    pub(crate) fn drop_path(&mut self, path: &Path) {
+        self.kept.retain(|kept| kept.route.path != *path);
     }
 }
 

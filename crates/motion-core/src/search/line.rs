@@ -11,6 +11,7 @@ use super::rng::stream;
 use super::route::Route;
 use super::seeds;
 use super::tables::Tables;
+use crate::path::Path;
 
 /// Mutations of a path that are laid out, best first, before a step is taken.
 const N_BEST: usize = 2;
@@ -51,6 +52,8 @@ pub(super) struct Pace<'a> {
 pub(super) struct Line {
     number: u64,
     route: Option<Route>,
+    /// The kept path that it began at, if it began at one.
+    origin: Option<Path>,
 }
 
 /// What became of a line in a round.
@@ -58,12 +61,27 @@ pub(super) struct Stepped {
     pub(super) line: Line,
     /// The local minimum that it had reached.
     pub(super) minimum: Option<Route>,
+    /// The kept path that the minimum was reached from.
+    pub(super) minimum_of: Option<Path>,
+    /// Whether the line has begun anew.
+    pub(super) next_is_fresh: bool,
     pub(super) counts: ScoreCounts,
 }
 
 impl Line {
     pub(super) fn new(number: u64) -> Self {
-        Self { number, route: None }
+        Self { number, route: None, origin: None }
+    }
+
+    /// Goes on from a path that is kept.
+    pub(super) fn begin_at(&mut self, kept: Route) {
+        self.origin = Some(kept.path.clone());
+        self.route = Some(kept);
+    }
+
+    /// Begins anew in the next round.
+    pub(super) fn forget(&mut self) {
+        (self.route, self.origin) = (None, None);
     }
 
     pub(super) fn route(&self) -> Option<&Route> {
@@ -89,11 +107,16 @@ impl Line {
             None => self.route.clone().filter(|route| route.score <= to_beat),
             Some(_) => None,
         };
-        let route = match next {
-            Some(route) => Some(route),
-            None => self.start(library, target, scope, pace, &mut rng),
+        let next_is_fresh = next.is_none();
+        let (route, origin, minimum_of) = match next {
+            Some(route) => (Some(route), self.origin.clone(), None),
+            None => {
+                let fresh = self.start(library, target, scope, pace, &mut rng);
+                (fresh, None, self.origin.clone())
+            }
         };
-        Stepped { line: Self { number: self.number, route }, minimum, counts }
+        let line = Self { number: self.number, route, origin };
+        Stepped { line, minimum, minimum_of, next_is_fresh, counts }
     }
 
     /// A fresh start: a quarter of the lines from seeds, the others from known minima with a stretch
@@ -130,7 +153,7 @@ impl Line {
 ///
 /// A route above `to_beat` for which nothing better is found among the simple mutations and a
 /// sample of the others counts as given up; the caller can tell by its score.
-fn descend(
+pub(super) fn descend(
     library: &SearchLibrary,
     target: &Target,
     scope: (&[bool], bool),

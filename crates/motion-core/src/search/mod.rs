@@ -2,7 +2,8 @@
 //!
 //! A search keeps a number of **lines**. A line starts from a seed and in every round moves to
 //! the best mutation of its path; when no mutation is better it has reached a **local minimum**,
-//! which is recorded as an alternative, and the line starts anew. Lines do not know of each
+//! which is recorded as an alternative, and the line starts anew. When what is asked changes, the search
+//! goes on from the paths that it has (`resume`). Lines do not know of each
 //! other within a round and each draws from its own random stream, so the outcome depends on the
 //! seed and the number of rounds alone, not on threads.
 
@@ -19,6 +20,7 @@ mod neighbourhood;
 mod problem;
 mod reconnect;
 mod refine;
+mod resume;
 mod rng;
 mod route;
 mod seeds;
@@ -60,6 +62,8 @@ pub struct Solution {
     pub score: f32,
     /// The round that found it, counted from 1.
     pub iteration: u64,
+    /// The path that it came from or took the place of, where that was known as a solution itself.
+    pub improves: Option<Path>,
 }
 
 /// What a round has brought.
@@ -87,6 +91,8 @@ pub struct Search {
     target: Target,
     seed: u64,
     lines: Vec<Line>,
+    /// Kept paths that no line has gone on from yet, the best last.
+    waiting: Vec<Route>,
     alternatives: Alternatives,
     best: Option<(Route, u64)>,
     progress: Progress,
@@ -106,7 +112,8 @@ impl Search {
         let lines = (0..N_LINES).map(Line::new).collect();
         let progress = Progress { best: f32::INFINITY, ..Progress::default() };
         let alternatives = Alternatives::new(MAX_ALTERNATIVES);
-        Ok(Self { library, problem, target, seed, lines, alternatives, best: None, progress })
+        let (waiting, best) = (Vec::new(), None);
+        Ok(Self { library, problem, target, seed, lines, waiting, alternatives, best, progress })
     }
 
     /// One round: every line takes a step. Returns `false`, with nothing changed, if cancelled
@@ -132,9 +139,18 @@ impl Search {
             self.progress.counts.add(stepped.counts);
             if let Some(minimum) = &stepped.minimum {
                 self.progress.n_minima += 1;
-                self.alternatives.offer(&self.library, &self.target, minimum, round);
+                // What it came from is no minimum, so it makes room.
+                let origin = stepped.minimum_of.filter(|origin| *origin != minimum.path);
+                if let Some(origin) = &origin {
+                    self.alternatives.drop_path(origin);
+                }
+                self.alternatives.offer(&self.library, &self.target, minimum, round, origin);
             }
+            let is_fresh = stepped.next_is_fresh;
             *line = stepped.line;
+            if is_fresh && let Some(kept) = self.waiting.pop() {
+                line.begin_at(kept);
+            }
             if let Some(route) = line.route() {
                 let better = self.best.as_ref().is_none_or(|(best, _)| route.score < best.score);
                 if better {
@@ -158,7 +174,8 @@ impl Search {
     /// The best motion so far, local minimum or not.
     pub fn best(&self) -> Option<Solution> {
         let (route, iteration) = self.best.as_ref()?;
-        Some(Solution { path: route.path.clone(), score: route.score, iteration: *iteration })
+        let (path, score) = (route.path.clone(), route.score);
+        Some(Solution { path, score, iteration: *iteration, improves: None })
     }
 
     /// Distinct local minima, best first. While there is none, the best motion so far.
@@ -168,6 +185,7 @@ impl Search {
             path: kept.route.path.clone(),
             score: kept.route.score,
             iteration: kept.found_in,
+            improves: kept.improves.clone(),
         };
         // A line under way may have overtaken every minimum: it is shown too, in its place.
         let mut found: Vec<Solution> = kept.iter().map(solution).collect();
@@ -175,7 +193,7 @@ impl Search {
             && found.first().is_none_or(|first| route.score < first.score)
         {
             let mut with_best = self.alternatives.clone();
-            with_best.offer(&self.library, &self.target, route, *round);
+            with_best.offer(&self.library, &self.target, route, *round, None);
             found = with_best.kept().iter().map(solution).collect();
         }
         found

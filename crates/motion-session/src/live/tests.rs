@@ -1,0 +1,99 @@
+//! A search as the editor has it: on a thread, under edits.
+
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::time::Duration;
+
+use super::*;
+use crate::fixture::{ready_library, walk_to};
+
+/// A search, and something that hears of each snapshot.
+fn start() -> (LiveSearch, Receiver<()>) {
+    let (woken, is_woken) = sync_channel(1);
+    // Whoever has not heard the last call yet will look anyway.
+    let wake = Arc::new(move || woken.try_send(()).unwrap_or_default());
+    (LiveSearch::start(wake).unwrap(), is_woken)
+}
+
+/// Polls until a snapshot is as wanted.
+#[track_caller]
+fn until(
+    (search, woken): (&mut LiveSearch, &Receiver<()>),
+    what: &str,
+    wanted: impl Fn(&SearchSnapshot) -> bool,
+) -> Arc<SearchSnapshot> {
+    for _ in 0..4_000 {
+        if let Some(snapshot) = search.poll()
+            && wanted(&snapshot)
+        {
+            return snapshot;
+        }
+        woken.recv_timeout(Duration::from_millis(10)).unwrap_or_default();
+    }
+    let latest = search.latest();
+    let rounds = latest.characters.first().map(|c| (c.iterations, c.takes.len(), c.shown));
+    panic!("no snapshot {what}; the last is {:?}, {rounds:?}", latest.state);
+}
+
+fn is_shown(snapshot: &SearchSnapshot) -> bool {
+    snapshot.characters.first().and_then(CharacterSnapshot::shown).is_some_and(|t| t.made.is_some())
+}
+
+#[test]
+fn takes_come_and_an_edit_is_answered_with_the_takes_that_there_are() {
+    let (mut search, woken) = start();
+    let file = Path::new("walk.gaitway");
+    search.submit(&walk_to(0.8, 4.0), &ready_library(), file, Phase::Settled);
+    let first = until((&mut search, &woken), "with a motion", |s| {
+        is_shown(s) && s.characters[0].takes.len() > 2
+    });
+    assert_eq!((first.request, &first.state), (1, &SearchState::Searching));
+    let picked = first.characters[0].takes[2].id;
+    search.pick(CharacterIdx(0), picked);
+    until((&mut search, &woken), "with the pick", |s| s.characters[0].shown == Some(picked));
+    for nth in 1..=20 {
+        let to = walk_to(0.8 + 0.05 * f64::from(nth), 4.0);
+        search.submit(&to, &ready_library(), file, Phase::Dragging);
+    }
+    let number = search.submit(&walk_to(1.8, 4.0), &ready_library(), file, Phase::Settled);
+    let answer = until((&mut search, &woken), "of the last request", |s| s.request == number);
+    let character = &answer.characters[0];
+    assert_ne!(character.version, first.characters[0].version);
+    assert_eq!(character.picked, Some(picked));
+    assert!(character.takes.len() > 2, "nothing begins from nothing");
+    search.stop();
+}
+
+#[test]
+fn pausing_and_settling_are_said() {
+    let (mut search, woken) = start();
+    let file = Path::new("walk.gaitway");
+    search.pause();
+    search.submit(&walk_to(0.8, 4.0), &ready_library(), file, Phase::Settled);
+    let paused = until((&mut search, &woken), "paused", |s| s.state == SearchState::Paused);
+    assert_eq!(paused.characters[0].iterations, 0);
+    search.resume();
+    until((&mut search, &woken), "with a motion", is_shown);
+    until((&mut search, &woken), "settled", |s| s.state == SearchState::Settled);
+    search.shake();
+    until((&mut search, &woken), "searching again", |s| s.state == SearchState::Searching);
+}
+
+#[test]
+fn what_cannot_be_is_said_and_the_nearest_is_shown() {
+    let (mut search, woken) = start();
+    let file = Path::new("walk.gaitway");
+    search.submit(&walk_to(0.8, 20.0), &ready_library(), file, Phase::Settled);
+    let found = until((&mut search, &woken), "with a motion", is_shown);
+    let SearchState::Infeasible(reason) = &found.state else { panic!("{:?}", found.state) };
+    assert!(reason.contains("m/s; the fastest clip in use goes"), "{reason}");
+}
+
+#[test]
+fn dropping_it_ends_the_worker() {
+    let (mut search, woken) = start();
+    search.submit(&walk_to(0.8, 4.0), &ready_library(), Path::new("p"), Phase::Settled);
+    until((&mut search, &woken), "with a motion", is_shown);
+    let shared = Arc::clone(&search.shared);
+    drop(search);
+    assert_eq!(Arc::strong_count(&shared), 1, "nobody else has it any more");
+}

@@ -1,0 +1,227 @@
+//! The worker's loop: hear the latest wish, do a little, say how things stand.
+//!
+//! After an edit the order is: the shown take corrected for the new constraints, which is a
+//! snapshot at once; then it is refined a step; then a round for everything. So what is dragged
+//! follows the pointer however long a round takes.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use motion_core::cancel::CancelToken;
+
+use super::character_search::{CharacterSearch, Passing};
+use super::wish::{Request, Shared, Wish};
+use super::{
+    CharacterSnapshot, Phase, SearchSnapshot, SearchState, Wake, kept_paths, wants_bridges,
+};
+use crate::document::CharacterIdx;
+use crate::problem::{left_out_of_project, problem_of};
+
+/// How long the worker sleeps when nothing is to do; a wish wakes it.
+const NAP: Duration = Duration::from_secs(3600);
+
+/// Steps of refinement before the next snapshot.
+const STEPS_PER_SNAPSHOT: usize = 2;
+
+/// Runs until the wish is that it be over.
+pub(super) fn run(shared: &Shared, wake: &Wake) {
+    let mut worker = Worker::default();
+    let mut is_idle = true;
+    loop {
+        let token = shared.next_round();
+        let wish = if is_idle { shared.wishes.wait(NAP) } else { shared.wishes.take() };
+        // A wish that was waited for came after the token was made, and cancelled it.
+        let token = if is_idle { shared.next_round() } else { token };
+        let mut is_new = false;
+        if let Some(wish) = wish {
+            if wish.is_over {
+                return;
+            }
+            worker.hear(wish);
+            is_new = true;
+        }
+        let did = worker.work(&token, is_new);
+        is_idle = !did && !is_new;
+        if did || is_new {
+            shared.snapshots.put(Arc::new(worker.snapshot()));
+            wake();
+        }
+    }
+}
+
+#[derive(Default)]
+struct Worker {
+    wish: Wish,
+    seats: Vec<Seat>,
+    /// Whose turn it is to search.
+    turn: usize,
+}
+
+/// A character of the document.
+#[derive(Default)]
+struct Seat {
+    name: String,
+    search: Option<CharacterSearch>,
+    /// Why what is asked cannot be searched.
+    refusal: Option<String>,
+    remarks: Vec<String>,
+    n_picks: u64,
+}
+
+impl Worker {
+    fn hear(&mut self, wish: Wish) {
+        let old = std::mem::replace(&mut self.wish, wish);
+        let number = |wish: &Wish| wish.request.as_ref().map(|request| request.number);
+        if let Some(request) = self.wish.request.clone()
+            && number(&old) != number(&self.wish)
+        {
+            self.take_up(&request);
+        }
+        for (nth, seat) in self.seats.iter_mut().enumerate() {
+            let Some(search) = &mut seat.search else { continue };
+            if self.wish.n_shakes != old.n_shakes {
+                search.shake();
+            }
+            if let Some(pick) = self.wish.picks.get(&CharacterIdx(nth))
+                && pick.nth != seat.n_picks
+            {
+                search.pick(pick.take);
+                seat.n_picks = pick.nth;
+            }
+            search.follow_best(self.wish.follow_best);
+        }
+    }
+
+    /// Brings every character's search to what the request asks.
+    fn take_up(&mut self, request: &Request) {
+        let project = request.document.to_project();
+        let library = &request.library;
+        let passing = match request.phase {
+            Phase::Dragging => Passing::By,
+            Phase::Settled => Passing::Not,
+        };
+        self.seats.resize_with(project.characters.len(), Seat::default);
+        for (nth, (seat, character)) in self.seats.iter_mut().zip(&project.characters).enumerate() {
+            if seat.name != character.name {
+                // A renamed character is searched for anew, and so is one that moved up.
+                *seat = Seat { name: character.name.clone(), ..Seat::default() };
+            }
+            let seed = project.search.seed.wrapping_add(nth as u64);
+            let bridges = wants_bridges(&project);
+            let asked = problem_of(&project, character, &library.library, bridges, &request.path);
+            let (kept, mut remarks) = kept_paths(&request.document, &character.name, library);
+            remarks.extend(left_out_of_project(&project));
+            if character.library.is_some() {
+                remarks.push("the character's own library is not used here yet".to_owned());
+            }
+            seat.remarks = remarks;
+            seat.refusal = None;
+            let asked = match asked {
+                Ok(asked) => asked,
+                Err(error) => {
+                    seat.refusal = Some(format!("{}; {}", error.what, error.what_to_do));
+                    continue;
+                }
+            };
+            let refused = match &mut seat.search {
+                Some(search) if search.ready().is(library) => {
+                    let refused = search.ask(asked, seed, passing).err();
+                    search.pin(&kept);
+                    refused
+                }
+                _ => match CharacterSearch::new(library.clone(), asked, seed, &kept) {
+                    Ok(search) => {
+                        seat.search = Some(search);
+                        None
+                    }
+                    Err(refusal) => Some(refusal),
+                },
+            };
+            seat.refusal = refused;
+        }
+    }
+
+    /// A little work; returns whether there was any. Right after a wish only what is seen first.
+    fn work(&mut self, token: &CancelToken, is_new: bool) -> bool {
+        let dragging =
+            self.wish.request.as_ref().is_some_and(|request| request.phase == Phase::Dragging);
+        let mut did = false;
+        for seat in &mut self.seats {
+            let Some(search) = &mut seat.search else { continue };
+            // What is looked at comes first, and is to be seen before anything else is done.
+            if search.finish_one(true) {
+                return true;
+            }
+            if is_new {
+                continue;
+            }
+            // Refining belongs to the edit, so it goes on where the search is paused.
+            for _ in 0..STEPS_PER_SNAPSHOT {
+                if search.is_refining() && !token.is_cancelled() {
+                    search.refine(token);
+                    did = true;
+                }
+            }
+            did |= !dragging && search.finish_one(false);
+        }
+        if is_new || self.wish.is_paused || token.is_cancelled() || self.seats.is_empty() {
+            return did;
+        }
+        // One character's round at a time, in turn, so that all of them get on.
+        for _ in 0..self.seats.len() {
+            self.turn = (self.turn + 1) % self.seats.len();
+            let seat = &mut self.seats[self.turn];
+            if seat.refusal.is_some() {
+                continue;
+            }
+            if let Some(search) = seat.search.as_mut().filter(|search| !search.is_settled()) {
+                search.round(token);
+                return true;
+            }
+        }
+        did
+    }
+
+    fn snapshot(&mut self) -> SearchSnapshot {
+        let is_paused = self.wish.is_paused;
+        let characters: Vec<CharacterSnapshot> =
+            self.seats.iter_mut().map(|seat| seat.snapshot(is_paused)).collect();
+        SearchSnapshot {
+            request: self.wish.request.as_ref().map_or(0, |request| request.number),
+            state: together(&characters),
+            characters,
+        }
+    }
+}
+
+impl Seat {
+    fn snapshot(&mut self, is_paused: bool) -> CharacterSnapshot {
+        let mut snapshot = match &mut self.search {
+            Some(search) => search.snapshot(),
+            None => CharacterSnapshot { name: self.name.clone(), ..CharacterSnapshot::default() },
+        };
+        snapshot.remarks.extend(self.remarks.iter().cloned());
+        match (&self.refusal, &snapshot.state) {
+            (Some(refusal), _) => snapshot.state = SearchState::Infeasible(refusal.clone()),
+            (None, SearchState::Searching) if is_paused => snapshot.state = SearchState::Paused,
+            _ => {}
+        }
+        snapshot
+    }
+}
+
+/// The state to be said of all characters: what needs the user first.
+fn together(characters: &[CharacterSnapshot]) -> SearchState {
+    let urgency = |state: &SearchState| match state {
+        SearchState::Error(_) => 0,
+        SearchState::Infeasible(_) => 1,
+        SearchState::Searching => 2,
+        SearchState::Paused => 3,
+        SearchState::Building { .. } => 4,
+        SearchState::Settled => 5,
+        SearchState::Ready => 6,
+        SearchState::NoGraph => 7,
+    };
+    let states = characters.iter().map(|character| &character.state);
+    states.min_by_key(|state| urgency(state)).cloned().unwrap_or(SearchState::Ready)
+}

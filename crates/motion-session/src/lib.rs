@@ -28,11 +28,13 @@ pub mod history;
 pub mod live;
 pub mod playback;
 pub mod selection;
+pub mod session;
 
 pub mod stage;
 
 pub use error::JobError;
 pub use library::Library;
+pub use session::Session;
 
 #[cfg(test)]
 mod fixture;

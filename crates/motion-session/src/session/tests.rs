@@ -1,0 +1,189 @@
+//! A session as a window has it, without one.
+
+use std::fs;
+use std::thread;
+use std::time::Duration;
+
+use motion_io::project_file;
+use serde_json::json;
+
+use super::*;
+use crate::document::ConstraintRef;
+use crate::fixture::{ready_library, walk_to};
+
+fn session(state_folder: Option<&Path>) -> Session {
+    let options = SessionOptions {
+        state_folder: state_folder.map(Path::to_owned),
+        wake: Arc::new(|| ()),
+        builtin: Some(ready_library()),
+        project: Some(walk_to(0.8, 4.0).to_project()),
+    };
+    Session::new(options).unwrap()
+}
+
+fn moved(x_m: f64) -> Command {
+    let at = ConstraintRef::new(CharacterIdx(0), "end");
+    Command::Move { at, position_m: [x_m, 4.0] }
+}
+
+/// Polls until it is as wanted.
+#[track_caller]
+fn until(session: &mut Session, what: &str, wanted: impl Fn(&Session) -> bool) {
+    for _ in 0..4_000 {
+        session.poll(0.0);
+        if wanted(session) {
+            return;
+        }
+        thread::sleep(Duration::from_millis(10));
+    }
+    panic!("never {what}: {:?}", session.state());
+}
+
+fn has_motion(session: &Session) -> bool {
+    session.shown().is_some_and(|shown| shown.take.made.is_some())
+}
+
+fn autosaves(folder: &Path) -> usize {
+    let ending = |path: &Path| path.extension().is_some_and(|e| e == "autosave");
+    fs::read_dir(folder).unwrap().filter(|entry| ending(&entry.as_ref().unwrap().path())).count()
+}
+
+/// Polls until so many autosaves are there, letting no time pass.
+#[track_caller]
+fn until_autosaves(session: &mut Session, folder: &Path, n: usize) {
+    until(session, "autosaved", |_| autosaves(folder) == n);
+}
+
+#[test]
+fn a_motion_comes_and_plays_without_a_click() {
+    let mut session = session(None);
+    until(&mut session, "with a motion", has_motion);
+    session.play(PlaybackCommand::Play);
+    assert!(session.poll(0.5).frame);
+    let frame = session.shown().unwrap().frame;
+    assert!((frame - 15.0).abs() < 1e-9, "half a second at 30 frames per second, {frame}");
+    assert!(session.playback().n_frames() > 60);
+}
+
+#[test]
+fn everything_that_is_done_is_undone_and_the_search_follows() {
+    let mut session = session(None);
+    until(&mut session, "with a motion", has_motion);
+    let first = session.snapshot().characters[0].version;
+    let text = project_file::write(&session.document().to_project());
+    session.begin_gesture("Move end");
+    for nth in 0..30 {
+        session.preview(&[moved(0.8 + 0.02 * f64::from(nth))]).unwrap();
+        session.poll(1.0 / 60.0);
+    }
+    session.commit();
+    assert_eq!(session.history().undo_label(), Some("Move end"));
+    until(&mut session, "re-scored", |s| s.snapshot().characters[0].version != first);
+    assert!(session.undo());
+    assert_eq!(project_file::write(&session.document().to_project()), text);
+    until(&mut session, "back", |s| s.snapshot().characters[0].version == first);
+    assert!(session.redo() && !session.redo());
+    assert!(!session.history().has_a_step_every_frame());
+}
+
+#[test]
+fn a_saved_project_is_opened_as_it_was() {
+    let (dir, state) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let path = dir.path().join("walk.gaitway");
+    let mut first = session(Some(state.path()));
+    assert!(!first.is_changed());
+    assert!(first.save().is_err(), "it has no file yet");
+    until(&mut first, "with a motion", has_motion);
+    let take = first.shown().unwrap().take.stored("A");
+    let id = take.id();
+    first.apply(&Command::PinTake { take }).unwrap();
+    first.view().set("camera", json!([1, 2, 3]));
+    assert!(first.is_changed());
+    first.save_as(&path).unwrap();
+    assert!(!first.is_changed());
+    let bytes = fs::read(&path).unwrap();
+
+    let mut second = session(Some(state.path()));
+    let error = second.open(&path).unwrap_err();
+    assert_eq!(error.what, "it is open in another window");
+    first.close();
+    second.open(&path).unwrap();
+    assert_eq!(second.path(), Some(path.as_path()));
+    assert_eq!(second.view().get("camera"), Some(&json!([1, 2, 3])));
+    assert!(second.document().takes().get("A", id).is_some_and(|take| take.pinned));
+    until(&mut second, "with the kept take", |s| {
+        s.snapshot().character(CharacterIdx(0)).is_some_and(|c| c.take(id).is_some())
+    });
+    second.save().unwrap();
+    assert_eq!(fs::read(&path).unwrap(), bytes);
+}
+
+#[test]
+fn what_was_not_saved_is_recovered_after_a_crash() {
+    let (dir, state) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let path = dir.path().join("walk.gaitway");
+    let mut crashing = session(Some(state.path()));
+    crashing.save_as(&path).unwrap();
+    crashing.apply(&moved(1.0)).unwrap();
+    crashing.poll(AUTOSAVE_SECS / 2.0);
+    assert_eq!(autosaves(state.path()), 0, "not yet");
+    crashing.poll(AUTOSAVE_SECS / 2.0);
+    until_autosaves(&mut crashing, state.path(), 1);
+    let text = project_file::write(&crashing.document().to_project());
+    // A session that is not closed leaves what a crash would.
+    drop(crashing);
+
+    let mut next = session(Some(state.path()));
+    let recoveries = next.recoveries();
+    assert_eq!(recoveries.len(), 1);
+    assert_eq!(recoveries[0].file.as_deref(), Some(path.as_path()));
+    next.recover(&recoveries[0]).unwrap();
+    assert_eq!(project_file::write(&next.document().to_project()), text);
+    assert!(next.is_changed() && next.recoveries().is_empty());
+    next.save().unwrap();
+    assert!(!next.is_changed());
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
+    until_autosaves(&mut next, state.path(), 0);
+}
+
+#[test]
+fn a_gesture_under_way_is_not_kept_and_saving_removes_the_autosave() {
+    let state = tempfile::tempdir().unwrap();
+    let mut session = session(Some(state.path()));
+    session.begin_gesture("Move end");
+    session.preview(&[moved(1.0)]).unwrap();
+    session.poll(10.0 * AUTOSAVE_SECS);
+    session.cancel();
+    session.poll(10.0 * AUTOSAVE_SECS);
+    assert_eq!((autosaves(state.path()), session.is_changed()), (0, false));
+    session.apply(&moved(1.0)).unwrap();
+    session.poll(AUTOSAVE_SECS);
+    until_autosaves(&mut session, state.path(), 1);
+    session.undo();
+    session.poll(AUTOSAVE_SECS);
+    session.close();
+    assert_eq!(autosaves(state.path()), 0);
+}
+
+#[test]
+fn a_library_that_is_not_there_is_said_and_the_session_goes_on() {
+    let mut session = session(None);
+    until(&mut session, "with a motion", has_motion);
+    session.apply(&Command::SetLibrary { library: "none.gwlib".to_owned() }).unwrap();
+    until(&mut session, "an error", |s| matches!(s.state(), SearchState::Error(_)));
+    let SearchState::Error(sentence) = session.state() else { panic!("it was one just now") };
+    assert!(sentence.contains("there is no such file; check the path"), "{sentence}");
+    session.undo();
+    until(&mut session, "searching again", |s| s.state() == SearchState::Searching);
+}
+
+#[test]
+fn other_windows_keep_their_hands_off_a_broken_file() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("broken.gaitway");
+    motion_io::atomic_write::atomic_write(&path, b"{\"gaitway\": 1,").unwrap();
+    let mut session = session(None);
+    let before = session.document().clone();
+    assert!(session.open(&path).is_err());
+    assert_eq!((session.document(), session.path()), (&before, None));
+}

@@ -4,7 +4,8 @@
 //! [`solve_job`] searches, under a budget, and reports; [`stage`] says what is to be seen. Nothing here
 //! prints or waits for a person: jobs take a cancel token and a callback that hears how far they are.
 //!
-//! What is authored is a [`document`], changed by [`command`]s and kept in a [`history`].
+//! What is authored is a [`document`], changed by [`command`]s and kept in a [`history`]; the search
+//! that always runs is [`live`]. A [`Session`] ties these together: it is what a window has.
 
 pub mod error;
 pub mod library;

@@ -179,6 +179,12 @@ impl Session {
             self.remarks.push(format!("the autosave failed: {error}"));
         }
         let settled = self.history.settled();
+        if files.kept.is_some() && !files.is_unsaved && *settled == files.saved {
+            // Everything was undone: there is nothing to be recovered.
+            files.forget();
+        }
+        let files = &mut self.files;
+        let Some(autosaver) = &files.autosaver else { return };
         let is_kept = *settled == *files.kept.as_ref().unwrap_or(&files.saved);
         if is_kept {
             files.secs_at_risk = 0.0;

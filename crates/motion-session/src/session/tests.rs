@@ -160,6 +160,9 @@ fn a_gesture_under_way_is_not_kept_and_saving_removes_the_autosave() {
     session.poll(AUTOSAVE_SECS);
     until_autosaves(&mut session, state.path(), 1);
     session.undo();
+    session.poll(0.0);
+    until_autosaves(&mut session, state.path(), 0);
+    session.redo();
     session.poll(AUTOSAVE_SECS);
     session.close();
     assert_eq!(autosaves(state.path()), 0);

@@ -215,3 +215,71 @@ proptest! {
         prop_assert_eq!(bytes(history.present()), last);
     }
 }
+
+/// What a window does to a history.
+#[derive(Clone, Debug)]
+enum Op {
+    Apply(Command),
+    Begin,
+    Preview(Command),
+    Commit,
+    Cancel,
+    Undo,
+    Redo,
+}
+
+fn ops() -> impl Strategy<Value = Vec<Op>> {
+    let command = || commands(1..2).prop_map(|mut commands| commands.remove(0));
+    let op = prop_oneof![
+        3 => command().prop_map(Op::Apply),
+        2 => Just(Op::Begin),
+        4 => command().prop_map(Op::Preview),
+        2 => Just(Op::Commit),
+        1 => Just(Op::Cancel),
+        2 => Just(Op::Undo),
+        2 => Just(Op::Redo),
+    ];
+    prop::collection::vec(op, 1..60)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn gestures_and_undo_in_any_order_keep_every_document_sound(ops in ops()) {
+        let mut history = history();
+        let first = bytes(history.present());
+        for op in ops {
+            let settled = bytes(history.settled());
+            let (n_past, n_future) = history.n_steps();
+            match op {
+                Op::Apply(command) => drop(history.apply(&command)),
+                Op::Begin => history.begin_gesture("Drag"),
+                Op::Preview(command) => {
+                    // A refusal leaves the last preview.
+                    drop(history.preview(&[command]));
+                    prop_assert_eq!(history.n_steps(), (n_past, n_future), "no step yet");
+                    if history.is_in_gesture() {
+                        prop_assert_eq!(bytes(history.settled()), settled);
+                    }
+                }
+                Op::Commit => history.commit(),
+                Op::Cancel => {
+                    history.cancel();
+                    prop_assert_eq!(bytes(history.present()), settled);
+                    prop_assert_eq!(history.n_steps(), (n_past, n_future));
+                }
+                Op::Undo => {
+                    history.undo();
+                }
+                Op::Redo => {
+                    history.redo();
+                }
+            }
+            is_sound(history.present())?;
+            prop_assert!(history.n_steps().0 <= n_past + 1, "one step at a time");
+        }
+        while history.undo() {}
+        prop_assert_eq!(bytes(history.present()), first);
+    }
+}

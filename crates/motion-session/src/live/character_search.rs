@@ -3,8 +3,8 @@
 //!
 //! Rules about the **shown take**, each with a test of its name:
 //!
-//! 1. Until the animator picks or edits, the best is shown, until it is acceptable; then it counts as
-//!    picked.
+//! 1. Until the animator picks or edits, the best is shown, for the first rounds and until it is
+//!    acceptable; then it counts as picked.
 //! 2. After that the shown take changes only by an edit, by choice, or by following the best.
 //! 3. After an edit it is refined among its own descendants until nothing more is gained.
 //! 4. Back at earlier constraints, the take that was shown for them is shown again, if it is an
@@ -35,8 +35,10 @@ const MAX_POOL: usize = 160;
 const MAX_SEEN: usize = 256;
 /// Rounds without anything new after which a search has settled.
 const SETTLED_AFTER: u64 = 100;
-/// Rounds after which the first take counts as picked, acceptable or not.
-const FIRST_ROUNDS: u64 = 60;
+/// Rounds after which the first take counts as picked if it is acceptable: about half a second.
+const FIRST_ROUNDS_AT_LEAST: u64 = 24;
+/// Rounds after which it does, acceptable or not.
+const FIRST_ROUNDS_AT_MOST: u64 = 72;
 /// A better take must be better by this share to be worth a badge.
 const WORTH_A_BADGE: f32 = 0.01;
 /// Points of the sparkline.
@@ -393,7 +395,8 @@ impl CharacterSearch {
         }
         let Some(best) = self.search.alternatives().into_iter().next() else { return };
         let progress = self.search.progress();
-        let goes_on = progress.first_acceptable.is_none() && progress.iteration < FIRST_ROUNDS;
+        let goes_on = progress.iteration < FIRST_ROUNDS_AT_LEAST
+            || (progress.first_acceptable.is_none() && progress.iteration < FIRST_ROUNDS_AT_MOST);
         let is_other = self.shown.as_ref().is_none_or(|shown| shown.path != best.path);
         if is_other {
             self.show(best.path, goes_on && provisional);

@@ -134,6 +134,11 @@ impl LiveSearch {
         &self.latest
     }
 
+    /// Whether the worker has ended by itself, which only a mistake of ours can bring about.
+    pub fn has_died(&self) -> bool {
+        self.worker.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+
     /// Ends the worker and waits for it: a round is cancelled within milliseconds.
     pub fn stop(mut self) {
         self.end();

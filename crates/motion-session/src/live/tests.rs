@@ -97,3 +97,30 @@ fn dropping_it_ends_the_worker() {
     drop(search);
     assert_eq!(Arc::strong_count(&shared), 1, "nobody else has it any more");
 }
+
+#[test]
+fn the_shown_take_follows_however_fast_it_is_dragged() {
+    let (mut search, woken) = start();
+    let file = Path::new("walk.gaitway");
+    search.submit(&walk_to(0.8, 4.0), &ready_library(), file, Phase::Settled);
+    let first = until((&mut search, &woken), "with takes", |s| {
+        is_shown(s) && s.characters[0].takes.len() > 3
+    });
+    let picked = first.characters[0].takes[3].id;
+    search.pick(CharacterIdx(0), picked);
+    until((&mut search, &woken), "with the pick", |s| s.characters[0].shown == Some(picked));
+    let mut follows = false;
+    for nth in 0..20_000 {
+        // A new place every millisecond, back and forth, and never a pause.
+        let x_m = 0.8 + 0.001 * f64::from(nth % 1_000);
+        search.submit(&walk_to(x_m, 4.0), &ready_library(), file, Phase::Dragging);
+        thread::sleep(Duration::from_millis(1));
+        let Some(snapshot) = search.poll() else { continue };
+        assert_eq!(snapshot.characters[0].picked, Some(picked));
+        follows = snapshot.characters[0].shown != Some(picked);
+        if follows {
+            break;
+        }
+    }
+    assert!(follows, "it never came nearer");
+}

@@ -26,25 +26,32 @@ const STEPS_PER_SNAPSHOT: usize = 2;
 /// Runs until the wish is that it be over.
 pub(super) fn run(shared: &Shared, wake: &Wake) {
     let mut worker = Worker::default();
+    let publish = |worker: &mut Worker| {
+        shared.snapshots.put(Arc::new(worker.snapshot()));
+        wake();
+    };
     let mut is_idle = true;
     loop {
         let token = shared.next_round();
         let wish = if is_idle { shared.wishes.wait(NAP) } else { shared.wishes.take() };
-        // A wish that was waited for came after the token was made, and cancelled it.
-        let token = if is_idle { shared.next_round() } else { token };
-        let mut is_new = false;
         if let Some(wish) = wish {
             if wish.is_over {
                 return;
             }
             worker.hear(wish);
-            is_new = true;
-        }
-        let did = worker.work(&token, is_new);
-        is_idle = !did && !is_new;
-        if did || is_new {
-            shared.snapshots.put(Arc::new(worker.snapshot()));
-            wake();
+            worker.correct_shown();
+            publish(&mut worker);
+            // However fast wishes come, each lets the shown take come a little nearer.
+            if worker.refine_shown(&CancelToken::new()) {
+                worker.correct_shown();
+                publish(&mut worker);
+            }
+            is_idle = false;
+        } else {
+            is_idle = !worker.work(&token);
+            if !is_idle {
+                publish(&mut worker);
+            }
         }
     }
 }
@@ -141,30 +148,43 @@ impl Worker {
         }
     }
 
-    /// A little work; returns whether there was any. Right after a wish only what is seen first.
-    fn work(&mut self, token: &CancelToken, is_new: bool) -> bool {
-        let dragging =
-            self.wish.request.as_ref().is_some_and(|request| request.phase == Phase::Dragging);
+    /// Makes the motions that are looked at, where they are not made for what is asked now.
+    fn correct_shown(&mut self) -> bool {
         let mut did = false;
-        for seat in &mut self.seats {
-            let Some(search) = &mut seat.search else { continue };
-            // What is looked at comes first, and is to be seen before anything else is done.
-            if search.finish_one(true) {
-                return true;
-            }
-            if is_new {
-                continue;
-            }
-            // Refining belongs to the edit, so it goes on where the search is paused.
+        for search in self.seats.iter_mut().filter_map(|seat| seat.search.as_mut()) {
+            did |= search.finish_one(true);
+        }
+        did
+    }
+
+    /// Refines the takes that are looked at by a few steps, after an edit.
+    fn refine_shown(&mut self, token: &CancelToken) -> bool {
+        let mut did = false;
+        for search in self.seats.iter_mut().filter_map(|seat| seat.search.as_mut()) {
             for _ in 0..STEPS_PER_SNAPSHOT {
                 if search.is_refining() && !token.is_cancelled() {
                     search.refine(token);
                     did = true;
                 }
             }
+        }
+        did
+    }
+
+    /// A little work; returns whether there was any. What is looked at comes first, and is to be
+    /// seen before anything else is done.
+    fn work(&mut self, token: &CancelToken) -> bool {
+        // Refining belongs to the edit, so it goes on where the search is paused.
+        if self.correct_shown() || self.refine_shown(token) {
+            return true;
+        }
+        let dragging =
+            self.wish.request.as_ref().is_some_and(|request| request.phase == Phase::Dragging);
+        let mut did = false;
+        for search in self.seats.iter_mut().filter_map(|seat| seat.search.as_mut()) {
             did |= !dragging && search.finish_one(false);
         }
-        if is_new || self.wish.is_paused || token.is_cancelled() || self.seats.is_empty() {
+        if self.wish.is_paused || token.is_cancelled() || self.seats.is_empty() {
             return did;
         }
         // One character's round at a time, in turn, so that all of them get on.

@@ -239,6 +239,10 @@ impl Session {
 
     /// Where everything stands, the library too.
     pub fn state(&self) -> SearchState {
+        if self.live.has_died() {
+            let sentence = "the search has stopped; save, start again, and please report this";
+            return SearchState::Error(sentence.to_owned());
+        }
         match self.library.state() {
             SearchState::Ready if self.snapshot().request > 0 => self.snapshot().state.clone(),
             other => other.clone(),

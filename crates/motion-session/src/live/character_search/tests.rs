@@ -42,7 +42,7 @@ fn at_first_the_best_is_shown_until_it_is_acceptable() {
     let mut search = search();
     let mut n_changes = 0;
     let mut last = None;
-    for _ in 0..FIRST_ROUNDS {
+    for _ in 0..FIRST_ROUNDS_AT_MOST {
         rounds(&mut search, 1);
         let snapshot = search.snapshot();
         let is_provisional = search.shown.as_ref().is_some_and(|shown| shown.is_provisional);

@@ -12,6 +12,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("crates/motion-scene", &[]),
     ("crates/motion-render", &["motion-scene"]),
     ("crates/motion-session", &["motion-core", "motion-io", "motion-performer", "motion-scene"]),
+    ("crates/motion-editor", &["motion-core", "motion-render", "motion-scene", "motion-session"]),
     ("crates/xtask", &[]),
 ];
 
@@ -27,6 +28,7 @@ const NEVER: &[(&str, &[&str], &str)] = &[
     ("crates/motion-scene", &["serde", "anyhow", "rand"], "it is plain data and mathematics"),
     ("crates/motion-render", &["winit", "egui", "eframe"], "it draws for windows and without one"),
     ("crates/motion-session", &["anyhow", "clap", "indicatif"], "it has no terminal"),
+    ("crates/motion-editor", &["anyhow", "clap", "indicatif"], "it has a window, and no terminal"),
 ];
 
 /// Windows and graphics, which only crates made for them may touch.

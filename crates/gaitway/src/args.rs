@@ -79,6 +79,15 @@ pub(crate) enum Command {
         gaitway render out/A-1.bvh -o pose.png --frame 80 --ghosts 5\n  \
         gaitway render corner.gaitway -o corner.mp4 --character hero.glb --size 1920x1080")]
     Render(render::Render),
+    /// Open a window to look at a project's motions (unfinished)
+    #[cfg(feature = "editor")]
+    #[command(after_help = "Examples:\n  \
+        gaitway edit                     (the built-in sample)\n  \
+        gaitway edit corner.gaitway")]
+    Edit {
+        /// The project [default: the built-in sample]
+        project: Option<PathBuf>,
+    },
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  \
         gaitway completions bash > ~/.local/share/bash-completion/completions/gaitway")]

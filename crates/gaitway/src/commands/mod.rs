@@ -2,6 +2,8 @@
 
 mod completions;
 mod convert;
+#[cfg(feature = "editor")]
+mod edit;
 mod library;
 mod man;
 mod measure;
@@ -23,6 +25,8 @@ pub(crate) fn run(common: &Common, command: Command) -> Result<(), Failure> {
         Command::Convert(args) => convert::run(&console, &args),
         #[cfg(feature = "render")]
         Command::Render(args) => render::run(&console, common, &args),
+        #[cfg(feature = "editor")]
+        Command::Edit { project } => edit::run(&console, project),
         Command::Completions { shell } => completions::run(shell),
         Command::Man { output } => man::run(&output),
     }

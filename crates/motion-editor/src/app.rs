@@ -1,0 +1,135 @@
+//! The window, frame by frame: take in news, do commands, lay out panels.
+
+use egui::{CentralPanel, Frame, Margin, Panel, Ui};
+
+use crate::command_palette::CommandPalette;
+use crate::panels::library::LibraryPanel;
+use crate::panels::{inspector, status, takes, top_bar};
+use crate::project_source::ProjectSource;
+use crate::shortcut_sheet::shortcut_sheet_ui;
+use crate::state::EditorState;
+use crate::theme;
+use crate::timeline::TimelinePanel;
+use crate::ui_command::{UiCommand, pressed};
+use crate::viewport::ViewportPanel;
+
+/// The editor. It needs a window's device to show the view, and nothing else of a window.
+pub struct EditorApp {
+    /// What all panels share.
+    pub state: EditorState,
+    /// The view.
+    pub viewport: ViewportPanel,
+    timeline: TimelinePanel,
+    library: LibraryPanel,
+    palette: CommandPalette,
+    sheet_is_open: bool,
+}
+
+impl EditorApp {
+    /// Opens a project and begins to solve it; motions are shown after so many `rounds` of the
+    /// search each ([`crate::solving::ROUNDS`] but for tests).
+    pub fn new(
+        cc: &eframe::CreationContext<'_>,
+        source: &ProjectSource,
+        rounds: &'static [u64],
+    ) -> Self {
+        theme::install(&cc.egui_ctx);
+        let state = EditorState::new(source, rounds, &cc.egui_ctx);
+        theme::choose(&cc.egui_ctx, state.settings.theme);
+        Self {
+            state,
+            viewport: ViewportPanel::new(cc.wgpu_render_state.as_ref()),
+            timeline: TimelinePanel::default(),
+            library: LibraryPanel::default(),
+            palette: CommandPalette::default(),
+            sheet_is_open: false,
+        }
+    }
+
+    fn do_commands(&mut self, ctx: &egui::Context) {
+        // What lies on top gets Escape before anything else.
+        let no_modifiers = egui::Modifiers::NONE;
+        if self.sheet_is_open
+            && ctx.input_mut(|input| input.consume_key(no_modifiers, egui::Key::Escape))
+        {
+            self.sheet_is_open = false;
+        }
+        let mut commands = self.state.take_commands();
+        commands.extend(pressed(ctx));
+        for command in commands {
+            if self.state.run(command) {
+                continue;
+            }
+            match command {
+                UiCommand::Palette => self.palette.toggle(),
+                UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
+                UiCommand::FitTimeline => self.timeline.fit(),
+                UiCommand::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+                other => self.viewport.run(other),
+            }
+        }
+    }
+
+    fn panels_ui(&mut self, ui: &mut Ui) {
+        let p = theme::of(ui);
+        let state = &mut self.state;
+        let bar = Frame::new().fill(p.panel).inner_margin(Margin::symmetric(4, 0));
+        let side = Frame::new().fill(p.panel).inner_margin(Margin::symmetric(12, 4));
+        Panel::top("top bar")
+            .exact_size(theme::TOP_BAR_HEIGHT)
+            .frame(bar)
+            .show(ui, |ui| top_bar::top_bar_ui(ui, state));
+        Panel::bottom("status")
+            .exact_size(theme::STATUS_BAR_HEIGHT)
+            .frame(bar)
+            .show(ui, |ui| status::status_ui(ui, state, self.viewport.adapter_name()));
+        if state.settings.timeline_open {
+            Panel::bottom("timeline")
+                .resizable(true)
+                .default_size(216.0)
+                .size_range(150.0..=480.0)
+                .frame(Frame::new().fill(p.panel))
+                .show(ui, |ui| self.timeline.ui(ui, state));
+        }
+        if state.settings.left_open {
+            Panel::left("library")
+                .resizable(true)
+                .default_size(248.0)
+                .size_range(180.0..=420.0)
+                .frame(side)
+                .show(ui, |ui| self.library.ui(ui, state));
+        }
+        if state.settings.right_open {
+            Panel::right("takes")
+                .resizable(true)
+                .default_size(320.0)
+                .size_range(240.0..=520.0)
+                .frame(side)
+                .show(ui, |ui| {
+                    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                        takes::takes_ui(ui, state);
+                        ui.add_space(2.0 * theme::GRID);
+                        inspector::inspector_ui(ui, state);
+                    });
+                });
+        }
+        CentralPanel::no_frame().show(ui, |ui| self.viewport.ui(ui, state));
+    }
+}
+
+impl eframe::App for EditorApp {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        self.state.drain();
+        self.do_commands(&ctx);
+        if self.state.player.is_playing() {
+            self.state.player.advance(f64::from(ctx.input(|input| input.unstable_dt)));
+            ctx.request_repaint();
+        }
+        self.panels_ui(ui);
+        if let Some(command) = self.palette.ui(ui, &self.state) {
+            self.state.ask(command);
+        }
+        shortcut_sheet_ui(ui, &mut self.sheet_is_open);
+    }
+}

@@ -1,0 +1,54 @@
+//! The icons, letters of Lucide's font (`assets/fonts/lucide.ttf`).
+
+/// Plays.
+pub const PLAY: &str = "\u{e13c}";
+/// Pauses.
+pub const PAUSE: &str = "\u{e12e}";
+/// To the first frame.
+pub const TO_START: &str = "\u{e15f}";
+/// To the last frame.
+pub const TO_END: &str = "\u{e160}";
+/// One frame back.
+pub const STEP_BACK: &str = "\u{e3e9}";
+/// One frame ahead.
+pub const STEP_AHEAD: &str = "\u{e3ea}";
+/// Plays over and over.
+pub const LOOP: &str = "\u{e146}";
+/// Looks for something.
+pub const SEARCH: &str = "\u{e151}";
+/// The panel on the left.
+pub const PANEL_LEFT: &str = "\u{e12a}";
+/// The panel on the right.
+pub const PANEL_RIGHT: &str = "\u{e431}";
+/// The panel at the bottom.
+pub const PANEL_BOTTOM: &str = "\u{e42c}";
+/// The camera keeps to the character.
+pub const FOLLOW: &str = "\u{e1db}";
+/// Everything in view.
+pub const FRAME: &str = "\u{e257}";
+/// The way over the floor.
+pub const TRAIL: &str = "\u{e53e}";
+/// Other moments of the same motion.
+pub const GHOSTS: &str = "\u{e21e}";
+/// The select tool.
+pub const SELECT: &str = "\u{e1c3}";
+/// The checkpoint tool.
+pub const CHECKPOINT: &str = "\u{e123}";
+/// Something is wrong.
+pub const ALERT: &str = "\u{e077}";
+/// Done.
+pub const DONE: &str = "\u{e06c}";
+/// At work.
+pub const WORKING: &str = "\u{e109}";
+
+#[cfg(test)]
+mod tests {
+    /// A letter that the font lacks would be an empty box on the button.
+    #[test]
+    fn all_are_in_the_private_use_area() {
+        for icon in [super::PLAY, super::PAUSE, super::LOOP, super::WORKING] {
+            let letter = icon.chars().next().map(u32::from).unwrap_or_default();
+            assert!((0xE000..0xF900).contains(&letter), "{letter:x}");
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! The window in which an animator authors a motion.
+//!
+//! [`run::run`] opens it; [`app::EditorApp`] is all of it but the window, so that tests can drive
+//! it. A frame goes from top to bottom: [`state::EditorState`] takes in what the worker has done
+//! ([`solving`]), does the commands that were asked for ([`ui_command::UiCommand`]), and panels draw
+//! it and ask for more. Panels change nothing but the state, and through it alone.
+//!
+//! Nothing is computed here that takes long: the search runs on a thread of its own, the picture is
+//! drawn by `motion-render`, and only when something in it has changed.
+
+pub mod app;
+pub mod run;
+
+pub mod state;
+
+pub mod authoring;
+pub mod player;
+pub mod project_source;
+pub mod settings;
+pub mod solving;
+pub mod take;
+pub mod ui_command;
+
+pub mod command_palette;
+pub mod panels;
+pub mod shortcut_sheet;
+pub mod timeline;
+pub mod viewport;
+
+pub mod icons;
+pub mod theme;
+pub mod widgets;

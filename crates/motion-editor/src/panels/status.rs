@@ -1,0 +1,40 @@
+//! The bar at the bottom: what goes on, and what draws.
+
+use egui::{Align, Layout, RichText, Ui};
+
+use crate::settings::Tool;
+use crate::state::EditorState;
+use crate::theme;
+
+/// The bar.
+pub fn status_ui(ui: &mut Ui, state: &EditorState, adapter: Option<&str>) {
+    let faint = theme::of(ui).faint;
+    let small = |text: String| RichText::new(text).font(theme::caption()).color(faint);
+    ui.horizontal_centered(|ui| {
+        ui.add_space(theme::GRID);
+        ui.label(small(hint(state)));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.add_space(theme::GRID);
+            ui.label(small(adapter.unwrap_or("nothing draws here").to_owned()));
+            ui.label(small(format!("{} navigation", state.settings.navigation.name())));
+        });
+    });
+}
+
+fn hint(state: &EditorState) -> String {
+    if let Some(refusal) = state.authoring.as_ref().and_then(|a| a.refusal.as_ref()) {
+        return refusal.clone();
+    }
+    if state.settings.tool == Tool::Checkpoint {
+        return "Press on the floor where the body must be, drag to where it looks · Esc leaves the \
+                tool"
+            .to_owned();
+    }
+    if let Some((number, mark)) = state.selected_mark() {
+        return format!("Checkpoint {number} at f {}: {}", mark.frame, mark.miss_text());
+    }
+    match state.shown_take() {
+        Some(_) => "Space plays · drag on the ruler to scrub · 1–9 show takes".to_owned(),
+        None => String::new(),
+    }
+}

@@ -1,0 +1,143 @@
+//! Menus, the name of the project, and how the search stands.
+
+use egui::{Align, Button, Layout, MenuBar, RichText, Sense, Ui, Vec2};
+
+use crate::icons;
+use crate::solving::Stage;
+use crate::state::EditorState;
+use crate::theme;
+use crate::ui_command::UiCommand as C;
+use crate::viewport::described;
+use crate::widgets::icon_button::icon_button_ui;
+
+/// Menus: a name, and groups of commands with a line between them.
+fn menus() -> [(&'static str, Vec<Vec<C>>); 6] {
+    [
+        ("File", vec![vec![C::Quit]]),
+        (
+            "Edit",
+            vec![vec![C::Undo, C::Redo], vec![C::Delete], vec![C::SelectTool, C::CheckpointTool]],
+        ),
+        (
+            "Play",
+            vec![
+                vec![C::PlayPause, C::Loop, C::Slower, C::NormalSpeed, C::Faster],
+                vec![C::StepBack, C::StepAhead, C::SecondBack, C::SecondAhead],
+                vec![C::PreviousStop, C::NextStop, C::ToStart, C::ToEnd],
+            ],
+        ),
+        (
+            "View",
+            vec![
+                vec![C::FrameAll, C::ViewFront, C::ViewLeft, C::ViewTop, C::ViewThreeQuarter],
+                vec![C::Perspective, C::Follow, C::Trail, C::Ghosts],
+                vec![C::LeftPanel, C::RightPanel, C::Timeline, C::FitTimeline],
+                vec![C::Theme, C::Navigation],
+            ],
+        ),
+        ("Takes", vec![(1..=4).map(C::ShowTake).collect(), vec![C::FlipTakes, C::SolveAgain]]),
+        ("Help", vec![vec![C::Palette, C::ShortcutSheet]]),
+    ]
+}
+
+/// The bar.
+pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
+    MenuBar::new().ui(ui, |ui| {
+        ui.set_min_height(theme::TOP_BAR_HEIGHT);
+        ui.add_space(theme::GRID);
+        for (name, groups) in menus() {
+            ui.menu_button(name, |ui| menu_ui(ui, &groups, state));
+        }
+        ui.add_space(2.0 * theme::GRID);
+        workspace_ui(ui);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.add_space(theme::GRID);
+            ui.spacing_mut().item_spacing.x = 2.0;
+            for (icon, command) in [
+                (icons::PANEL_RIGHT, C::RightPanel),
+                (icons::PANEL_BOTTOM, C::Timeline),
+                (icons::PANEL_LEFT, C::LeftPanel),
+            ] {
+                let tooltip = described(ui, command);
+                if icon_button_ui(ui, icon, &command.label(), &tooltip, false).clicked() {
+                    state.ask(command);
+                }
+            }
+            ui.add_space(3.0 * theme::GRID);
+            chip_ui(ui, state);
+            ui.add_space(3.0 * theme::GRID);
+            let faint = theme::of(ui).faint;
+            if let Some(authoring) = &state.authoring {
+                ui.label(RichText::new(authoring.document().name()).color(faint));
+            }
+        });
+    });
+}
+
+fn menu_ui(ui: &mut Ui, groups: &[Vec<C>], state: &mut EditorState) {
+    ui.set_min_width(240.0);
+    for (nth, group) in groups.iter().enumerate() {
+        if nth > 0 {
+            ui.separator();
+        }
+        for &command in group {
+            let enabled = command.is_enabled(state);
+            let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key));
+            let tick = if command.is_on(state) == Some(true) { icons::DONE } else { "" };
+            let tick = RichText::new(tick).color(theme::of(ui).accent);
+            let mut button = Button::new((command.label(), tick));
+            if let Some(key) = key {
+                button = button.shortcut_text(key);
+            }
+            if ui.add_enabled(enabled, button).on_hover_text(command.tooltip()).clicked() {
+                state.ask(command);
+                ui.close();
+            }
+        }
+    }
+}
+
+/// There is one workspace so far.
+fn workspace_ui(ui: &mut Ui) {
+    let palette = theme::of(ui);
+    let text = RichText::new("Author").font(theme::heading());
+    let response = ui.label(text);
+    let y = ui.max_rect().bottom() - 1.0;
+    let line = egui::Stroke::new(2.0, palette.accent);
+    ui.painter().hline(response.rect.x_range(), y, line);
+}
+
+/// How the search stands, in a few words.
+fn chip_ui(ui: &mut Ui, state: &EditorState) {
+    let palette = theme::of(ui);
+    let miss = theme::role(motion_scene::color::ColorRole::Miss, palette.theme);
+    let (icon, color, text) = match &state.solving.stage {
+        Stage::Working(what, share) => {
+            let what = if what.starts_with("search") { "Searching" } else { "Preparing" };
+            (icons::WORKING, palette.accent, format!("{what} · {:.0} %", share * 100.0))
+        }
+        Stage::Done => {
+            let best = state.takes.first().map_or(0.0, |take| take.lane.score);
+            let secs = state.solved_in_secs.unwrap_or_default();
+            let n = state.takes.len();
+            (
+                icons::DONE,
+                palette.faint,
+                format!("Settled · best {best:.2} · {n} takes · {secs:.1} s"),
+            )
+        }
+        Stage::Failed(_) => (icons::ALERT, miss, "No motion".to_owned()),
+    };
+    let response = ui.label(RichText::new(text).font(theme::caption()).color(palette.text));
+    if let Stage::Failed(sentence) = &state.solving.stage {
+        response.on_hover_text(sentence);
+    }
+    let (place, _) = ui.allocate_exact_size(Vec2::splat(theme::ICON), Sense::hover());
+    ui.painter().text(
+        place.center(),
+        egui::Align2::CENTER_CENTER,
+        icon,
+        egui::FontId { size: 14.0, ..theme::icon() },
+        color,
+    );
+}

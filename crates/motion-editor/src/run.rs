@@ -1,0 +1,56 @@
+//! Opens the window.
+
+use std::sync::Arc;
+
+use egui::ViewportBuilder;
+use egui_wgpu::{WgpuSetup, WgpuSetupCreateNew, wgpu};
+
+use crate::app::EditorApp;
+use crate::project_source::ProjectSource;
+use crate::solving::ROUNDS;
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum OpenError {
+    /// Neither X11 nor Wayland answers.
+    #[error("there is no display to open a window on ({0})")]
+    NoDisplay(String),
+    /// There is a display, but nothing draws on it.
+    #[error("the window could not be opened ({0})")]
+    NoWindow(String),
+}
+
+/// Opens the editor and returns when its window is closed.
+pub fn run(source: ProjectSource) -> Result<(), OpenError> {
+    let mut setup = WgpuSetupCreateNew::without_display_handle();
+    setup.device_descriptor = Arc::new(|adapter| wgpu::DeviceDescriptor {
+        label: Some("gaitway"),
+        required_limits: motion_render::gpu::required_limits(&adapter.limits()),
+        ..Default::default()
+    });
+    let mut options = eframe::NativeOptions {
+        viewport: ViewportBuilder::default()
+            .with_app_id("gaitway")
+            .with_title("Gaitway")
+            .with_inner_size([1600.0, 1000.0])
+            .with_min_inner_size([960.0, 600.0]),
+        ..Default::default()
+    };
+    options.wgpu_options.wgpu_setup = WgpuSetup::CreateNew(setup);
+    let create = Box::new(move |cc: &eframe::CreationContext<'_>| {
+        let app: Box<dyn eframe::App> = Box::new(EditorApp::new(cc, &source, ROUNDS));
+        Ok(app)
+    });
+    eframe::run_native("gaitway", options, create).map_err(|error| {
+        // The last part of the chain says it; what is before names places in libraries.
+        let text = error.to_string();
+        let first = text.lines().next().unwrap_or_default();
+        let first = first.rsplit(": ").next().unwrap_or(first).trim_end_matches('.').to_owned();
+        match error {
+            eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_) => {
+                OpenError::NoDisplay(first)
+            }
+            _ => OpenError::NoWindow(first),
+        }
+    })
+}

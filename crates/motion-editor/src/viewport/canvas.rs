@@ -1,0 +1,145 @@
+//! A scene drawn to a texture with the window's own device. The only file that knows wgpu.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use egui::{Pos2, Rect, TextureId, Vec2};
+use egui_wgpu::RenderState;
+use egui_wgpu::wgpu::FilterMode;
+use motion_render::gpu::Gpu;
+use motion_render::picking::Picker;
+use motion_render::renderer::Renderer;
+use motion_render::targets::Targets;
+use motion_render::view::View;
+use motion_scene::body::PickId;
+use motion_scene::camera::OrbitCamera;
+use motion_scene::mesh::{BodyModel, MeshId};
+use motion_scene::scene::Scene;
+
+/// What draws the view. It draws only when scene, camera or size differ from the last time.
+pub struct Canvas {
+    state: RenderState,
+    renderer: Renderer,
+    picker: Picker,
+    targets: Option<(Targets, TextureId)>,
+    models: BTreeMap<MeshId, Arc<BodyModel>>,
+    drawn: Option<(Scene, View)>,
+    /// How many pictures were drawn.
+    n_drawn: u64,
+    /// Whether a question to the picker has no answer yet.
+    is_asking: bool,
+}
+
+impl Canvas {
+    /// A canvas on the window's device.
+    pub fn new(state: &RenderState) -> Self {
+        let (device, queue) = (state.device.clone(), state.queue.clone());
+        let gpu = Gpu::from_parts(device, queue, &state.adapter.get_info());
+        Self {
+            state: state.clone(),
+            renderer: Renderer::new(&gpu),
+            picker: Picker::new(&gpu),
+            targets: None,
+            models: BTreeMap::new(),
+            drawn: None,
+            n_drawn: 0,
+            is_asking: false,
+        }
+    }
+
+    /// What draws, for a person.
+    pub fn adapter_name(&self) -> &str {
+        self.renderer.gpu().adapter_name()
+    }
+
+    /// How many pictures were drawn so far.
+    pub fn n_drawn(&self) -> u64 {
+        self.n_drawn
+    }
+
+    /// Makes a model known, unless it is already.
+    pub fn set_model(&mut self, id: MeshId, model: &Arc<BodyModel>) {
+        if self.models.get(&id).is_some_and(|known| Arc::ptr_eq(known, model)) {
+            return;
+        }
+        self.renderer.set_model(id, model);
+        self.models.insert(id, Arc::clone(model));
+        self.drawn = None;
+    }
+
+    /// Draws `scene` as large as `size_pt`, and gives the picture.
+    pub fn draw(
+        &mut self,
+        scene: Scene,
+        camera: OrbitCamera,
+        size_pt: Vec2,
+        pixels_per_point: f32,
+    ) -> TextureId {
+        let view = view_of(camera, size_pt, pixels_per_point);
+        let size_px = (view.width_px, view.height_px);
+        let old = self.targets.take();
+        let (mut targets, texture) = match old {
+            Some((targets, texture)) if targets.size_px() == size_px => (targets, texture),
+            old => {
+                self.drawn = None;
+                self.resized(old.map(|(_, texture)| texture), &view)
+            }
+        };
+        if self.drawn.as_ref().is_none_or(|(drawn, from)| *drawn != scene || *from != view) {
+            self.renderer.draw(&scene, &view, &mut targets);
+            self.n_drawn += 1;
+            self.drawn = Some((scene, view));
+        }
+        self.targets = Some((targets, texture));
+        texture
+    }
+
+    fn resized(&self, texture: Option<TextureId>, view: &View) -> (Targets, TextureId) {
+        let targets = Targets::new(self.renderer.gpu(), view.width_px, view.height_px);
+        let picture = targets.picture().create_view(&Default::default());
+        let mut egui = self.state.renderer.write();
+        let device = &self.state.device;
+        // The picture has as many pixels as its place: nothing lies between two of them.
+        let texture = match texture {
+            Some(texture) => {
+                let filter = FilterMode::Nearest;
+                egui.update_egui_texture_from_wgpu_texture(device, &picture, filter, texture);
+                texture
+            }
+            None => egui.register_native_texture(device, &picture, FilterMode::Nearest),
+        };
+        (targets, texture)
+    }
+
+    /// Asks what is under a place of the picture that was drawn last, unless an answer is still
+    /// waited for. Nothing waits here; [`Self::picked`] has the answer in a later frame.
+    pub fn ask(&mut self, at: Pos2, rect: Rect) {
+        let Some((scene, view)) = &self.drawn else { return };
+        if self.is_asking {
+            return;
+        }
+        let px = (at - rect.min) * view.pixels_per_point;
+        self.picker.ask(&mut self.renderer, scene, view, glam::Vec2::new(px.x, px.y));
+        self.is_asking = true;
+    }
+
+    /// Whether a question has no answer yet.
+    pub fn is_asking(&self) -> bool {
+        self.is_asking
+    }
+
+    /// The answer, once: `Some(None)` for nothing.
+    pub fn picked(&mut self) -> Option<Option<PickId>> {
+        if !self.is_asking {
+            return None;
+        }
+        let answer = self.picker.poll(self.renderer.gpu());
+        self.is_asking = answer.is_none();
+        answer
+    }
+}
+
+fn view_of(camera: OrbitCamera, size_pt: Vec2, pixels_per_point: f32) -> View {
+    let px = |pt: f32| (pt * pixels_per_point).round().max(1.0) as u32;
+    View { camera, width_px: px(size_pt.x), height_px: px(size_pt.y), pixels_per_point }
+}

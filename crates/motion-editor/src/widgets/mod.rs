@@ -1,0 +1,4 @@
+//! Reusable pieces of panels.
+
+pub mod digits;
+pub mod icon_button;

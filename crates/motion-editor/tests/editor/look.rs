@@ -1,0 +1,96 @@
+//! What is there, and what it does to what is looked at.
+
+use egui::{Key, Modifiers, Role, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use motion_editor::app::EditorApp;
+use motion_editor::{timeline, viewport};
+
+use crate::window::{open, solved};
+
+/// Few enough to be looked over.
+const MAX_CONTROLS: usize = 40;
+
+#[test]
+fn the_window_opens_with_a_view_and_few_controls() {
+    let Some(harness) = open() else { return };
+    let canvas = harness.get_by_label(viewport::LABEL);
+    assert_eq!(canvas.accesskit_node().role(), Role::Canvas);
+    assert!(harness.state().viewport.n_drawn() > 0, "the floor is drawn");
+    let roles = [Role::Button, Role::TextInput, Role::ComboBox, Role::Slider, Role::CheckBox];
+    let count = |role| harness.query_all_by_role(role).count();
+    let n: usize = roles.into_iter().map(count).sum();
+    assert!((10..=MAX_CONTROLS).contains(&n), "{n} controls");
+}
+
+#[test]
+fn the_sample_plays_by_itself_and_space_pauses() {
+    let Some(mut harness) = open() else { return };
+    crate::window::settle(&mut harness);
+    assert!(harness.state().state.player.is_playing());
+    assert!(harness.state().state.takes.len() >= 2, "distinct takes");
+    harness.key_press(Key::Space);
+    harness.run_steps(2);
+    let player = &harness.state().state.player;
+    assert!(!player.is_playing());
+    assert_eq!(player.frame().fract(), 0.0);
+}
+
+#[test]
+fn a_press_on_the_ruler_scrubs() {
+    let Some(mut harness) = solved() else { return };
+    let ruler = harness.get_by_label(timeline::ruler::LABEL).rect();
+    for share in [0.25, 0.5] {
+        harness.drag_at(ruler.lerp_inside(Vec2::new(share, 0.5)));
+        harness.run_steps(2);
+        let player = &harness.state().state.player;
+        let expected = player.n_frames() as f64 * f64::from(share);
+        assert!((player.frame() - expected).abs() < 8.0, "{share}: {}", player.frame());
+    }
+}
+
+#[test]
+fn the_palette_finds_a_command_and_does_it() {
+    let Some(mut harness) = solved() else { return };
+    assert!(!harness.state().state.settings.ghosts);
+    harness.key_press_modifiers(Modifiers::CTRL, Key::P);
+    harness.run_steps(3);
+    harness.event(egui::Event::Text("ghost".to_owned()));
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::ListItem, "Show ghosts");
+    harness.key_press(Key::Enter);
+    harness.run_steps(3);
+    assert!(harness.state().state.settings.ghosts);
+    let line = harness.query_by_role_and_label(Role::ListItem, "Show ghosts");
+    assert!(line.is_none(), "it closes");
+}
+
+#[test]
+fn another_take_is_shown_at_the_same_frame() {
+    let Some(mut harness) = solved() else { return };
+    harness.state_mut().state.player.seek(50.0);
+    harness.key_press(Key::Num2);
+    harness.run_steps(2);
+    let state = &harness.state().state;
+    assert_eq!((state.shown, state.player.frame()), (Some(1), 50.0));
+    harness.key_press(Key::F1);
+    harness.run_steps(2);
+    let sheet = |harness: &Harness<'_, EditorApp>| {
+        harness.query_by_role_and_label(Role::Window, "Keyboard shortcuts").is_some()
+    };
+    assert!(sheet(&harness));
+    harness.key_press(Key::Escape);
+    harness.run_steps(2);
+    assert!(!sheet(&harness), "Escape closes it");
+}
+
+#[test]
+fn a_picture_is_drawn_only_when_something_changed() {
+    let Some(mut harness) = solved() else { return };
+    let n_drawn = harness.state().viewport.n_drawn();
+    harness.run_steps(5);
+    assert_eq!(harness.state().viewport.n_drawn(), n_drawn);
+    harness.key_press(Key::ArrowRight);
+    harness.run_steps(3);
+    assert_eq!(harness.state().viewport.n_drawn(), n_drawn + 1);
+}

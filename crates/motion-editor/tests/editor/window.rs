@@ -1,0 +1,48 @@
+//! An editor to be driven.
+
+use std::time::{Duration, Instant};
+
+use egui::Vec2;
+use egui_kittest::Harness;
+use motion_editor::app::EditorApp;
+use motion_editor::project_source::ProjectSource;
+use motion_render::gpu::{AdapterChoice, Gpu};
+
+/// Enough for two takes.
+const ROUNDS: &[u64] = &[12];
+
+/// The editor with the sample, not yet solved; `None`, and a line that says so, where nothing can
+/// draw (unless `GAITWAY_REQUIRE_GPU` is 1).
+pub(crate) fn open() -> Option<Harness<'static, EditorApp>> {
+    if let Err(error) = Gpu::open(AdapterChoice::Software) {
+        let required = std::env::var("GAITWAY_REQUIRE_GPU").is_ok_and(|value| value == "1");
+        assert!(!required, "GAITWAY_REQUIRE_GPU is set, but {error}");
+        eprintln!("skipped: {error}");
+        return None;
+    }
+    let builder = Harness::builder().with_size(Vec2::new(1600.0, 1000.0)).wgpu();
+    Some(builder.build_eframe(|cc| EditorApp::new(cc, &ProjectSource::Sample, ROUNDS)))
+}
+
+/// The editor once the search has settled, paused at the first frame.
+pub(crate) fn solved() -> Option<Harness<'static, EditorApp>> {
+    let mut harness = open()?;
+    settle(&mut harness);
+    harness.state_mut().state.player.stop_at(0);
+    harness.run_steps(3);
+    Some(harness)
+}
+
+/// Goes on until the worker has nothing more to say.
+pub(crate) fn settle(harness: &mut Harness<'_, EditorApp>) {
+    /// A search takes a second or two; machines that are busy with other tests are slow.
+    const LIMIT: Duration = Duration::from_secs(120);
+    let start = Instant::now();
+    harness.step();
+    while harness.state().state.is_working() {
+        assert!(start.elapsed() < LIMIT, "the search does not end");
+        std::thread::sleep(Duration::from_millis(20));
+        harness.step();
+    }
+    harness.run_steps(2);
+}

@@ -22,7 +22,7 @@ use super::lineage::Lineage;
 use super::ready_library::ReadyLibrary;
 use super::snapshot::{BestAt, Better, CharacterSnapshot, ConstraintHash, Made, SearchState, Take};
 use crate::document::{TakeId, TakePiece};
-use crate::finish::{constraint_reports, finish};
+use crate::finish::{Finished, constraint_reports, finish};
 use crate::problem::CharacterProblem;
 use crate::solve_job::Alternative;
 use crate::unmet::infeasible;
@@ -297,9 +297,9 @@ impl CharacterSearch {
             let Some(judgement) = self.search.judge(&path) else { continue };
             let alternative = Alternative { path, judgement, iteration: 0, found_at_s: 0.0 };
             let finished = finish(&self.ready.library, &assembler, &self.asked, &alternative, 0);
-            let Some(finished) = finished else { continue };
-            let finished = Arc::new(finished);
-            self.made.insert(id, Made { finished, version: self.version });
+            let Some(Finished { motion, report }) = finished else { continue };
+            let (motion, report) = (Arc::new(motion), Arc::new(report));
+            self.made.insert(id, Made { motion, report, version: self.version });
             return true;
         }
         false

@@ -7,10 +7,13 @@ use motion_core::floor::Soles;
 use motion_core::graph::EdgeId;
 use motion_core::path::{Path, Piece};
 use motion_core::search::SearchLibrary;
+use motion_core::skeleton::Skeleton;
 use motion_core::units::FrameIdx;
+use motion_scene::mesh::MeshId;
 
 use crate::Library;
 use crate::document::TakePiece;
+use crate::stage::figure::Figure;
 
 /// A library ready for searching. Cheap to clone.
 #[derive(Clone, Debug)]
@@ -19,15 +22,23 @@ pub struct ReadyLibrary {
     pub library: Library,
     /// The same, laid out for the search.
     pub search: Arc<SearchLibrary>,
+    /// What a body of the library's skeleton looks like: a mannequin.
+    pub figure: Arc<Figure>,
+    /// The library's skeleton.
+    pub skeleton: Arc<Skeleton>,
     soles: Soles,
 }
 
 impl ReadyLibrary {
-    /// Lays out a library; some tens of milliseconds.
+    /// Lays out a library and models a mannequin; some hundred milliseconds.
     pub fn new(library: Library) -> Self {
         let (clips, graph) = (Arc::clone(&library.clips), Arc::clone(&library.graph));
         let soles = Assembler::new(&clips).soles();
-        Self { search: Arc::new(SearchLibrary::new(clips, graph)), soles, library }
+        let skeleton = Arc::new(clips.skeleton().clone());
+        let some_motion = clips.clips().first().map(|clip| &clip.motion);
+        let figure = Arc::new(Figure::mannequin(MeshId(0), &skeleton, some_motion, soles));
+        let search = Arc::new(SearchLibrary::new(clips, graph));
+        Self { library, search, figure, skeleton, soles }
     }
 
     /// What makes motions of its pieces.

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use motion_core::motion::Motion;
 use motion_core::score::ScoreTerms;
-use motion_io::report_file::ConstraintReport;
+use motion_io::report_file::{AlternativeReport, ConstraintReport};
 
 use crate::document::{CharacterIdx, StoredTake, TakeId, TakePiece};
-use crate::finish::Finished;
 
 /// A hash of what is asked of a character's motion: constraints, weights, clips in use. Results
 /// carry the one that they are for.
@@ -122,8 +122,10 @@ pub struct Take {
 /// A take's motion and what the report says of it.
 #[derive(Clone, Debug)]
 pub struct Made {
-    /// The motion and its report.
-    pub finished: Arc<Finished>,
+    /// The motion, on the library's skeleton.
+    pub motion: Arc<Motion>,
+    /// What the report says of it: pieces, cuts, misses before and after correction, quality.
+    pub report: Arc<AlternativeReport>,
     /// The constraints that it was corrected for: not the present ones where it is stale.
     pub version: ConstraintHash,
 }

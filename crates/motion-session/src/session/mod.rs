@@ -9,6 +9,7 @@ mod autosave;
 mod files;
 mod library_loading;
 mod project_lock;
+mod staging;
 mod view_state;
 
 use std::path::{Path, PathBuf};
@@ -323,7 +324,7 @@ impl Session {
         let fps = Fps::new(self.document().fps()).unwrap_or(Fps::THIRTY);
         let shown = self.snapshot().character(self.active).and_then(|c| c.shown());
         let made = shown.and_then(|take| take.made.as_ref());
-        if let Some(n_frames) = made.map(|made| made.finished.motion.n_frames()) {
+        if let Some(n_frames) = made.map(|made| made.motion.n_frames()) {
             self.playback.set_motion(u32::try_from(n_frames).unwrap_or(u32::MAX), fps);
         }
     }

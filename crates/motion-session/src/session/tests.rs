@@ -4,7 +4,8 @@ use std::fs;
 use std::thread;
 use std::time::Duration;
 
-use motion_io::project_file;
+use motion_io::project_file::{self, ConstraintKind};
+use motion_scene::color::Theme;
 use serde_json::json;
 
 use super::*;
@@ -189,4 +190,27 @@ fn other_windows_keep_their_hands_off_a_broken_file() {
     let before = session.document().clone();
     assert!(session.open(&path).is_err());
     assert_eq!((session.document(), session.path()), (&before, None));
+}
+
+#[test]
+fn the_stage_has_the_document_at_once_and_the_shown_take_as_soon_as_there_is_one() {
+    let mut session = session(None);
+    let stage = session.stage(Theme::Dark);
+    assert_eq!((stage.actors.len(), stage.roles[0].constraints.len()), (0, 3));
+    until(&mut session, "with a motion", has_motion);
+    let stage = session.stage(Theme::Dark);
+    let shown = session.shown().unwrap().take;
+    assert_eq!(stage.actors[0].motion, shown.made.as_ref().unwrap().motion);
+    assert_eq!(stage.roles[0].misses.len(), 3);
+    assert!(!stage.scene_at(3.5, Default::default()).scene.bodies.is_empty());
+    assert!(session.actor_in(CharacterIdx(0), shown.id, Theme::Dark).is_some());
+    assert!(session.actor_in(CharacterIdx(0), TakeId(0), Theme::Dark).is_none());
+    // What is dragged is where it is dragged to, whatever the search does meanwhile.
+    session.begin_gesture("Move end");
+    session.preview(&[moved(1.7)]).unwrap();
+    let stage = session.stage(Theme::Dark);
+    let ConstraintKind::Body { position_m, .. } = stage.roles[0].constraints[2].kind else {
+        panic!("the end is a place")
+    };
+    assert_eq!(position_m, [1.7, 4.0]);
 }

@@ -76,6 +76,11 @@ impl Search {
         self.waiting.clear();
     }
 
+    /// Chance begins from another seed in the next round; what was found stays.
+    pub fn reseed(&mut self, seed: u64) {
+        self.seed = seed;
+    }
+
     /// Makes a path an alternative, if no better one is the same motion. Returns whether it is one
     /// now.
     pub fn offer(&mut self, path: &Path, improves: Option<Path>) -> bool {

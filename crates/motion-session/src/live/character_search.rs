@@ -163,6 +163,7 @@ impl CharacterSearch {
                 (rescored.map_err(|error| error.to_string())?, None)
             }
         };
+        search.reseed(seed);
         self.remember();
         let left = self.search.paths();
         for path in &self.pinned {

@@ -4,6 +4,7 @@ use std::sync::mpsc::{Receiver, sync_channel};
 use std::time::Duration;
 
 use super::*;
+use crate::command::{Command, apply};
 use crate::fixture::{ready_library, walk_to};
 
 /// A search, and something that hears of each snapshot.
@@ -123,4 +124,32 @@ fn the_shown_take_follows_however_fast_it_is_dragged() {
         }
     }
     assert!(follows, "it never came nearer");
+}
+
+#[test]
+fn everybody_is_searched_for_and_keeps_what_was_found_under_another_name_and_place() {
+    let (mut search, woken) = start();
+    let file = Path::new("walk.gaitway");
+    let two = Command::AddCharacter { name: "B".to_owned() };
+    let two = apply(&walk_to(0.8, 4.0), &two).unwrap();
+    search.submit(&two, &ready_library(), file, Phase::Settled);
+    let found = until((&mut search, &woken), "with both", |s| {
+        s.characters.len() == 2 && s.characters.iter().all(|c| c.takes.len() > 2)
+    });
+    let picked = found.characters[1].takes[1].id;
+    search.pick(CharacterIdx(1), picked);
+    until((&mut search, &woken), "with the pick", |s| s.characters[1].shown == Some(picked));
+    search.pause();
+    let rename = Command::RenameCharacter { character: CharacterIdx(1), name: "C".to_owned() };
+    let renamed = apply(&two, &rename).unwrap();
+    let number = search.submit(&renamed, &ready_library(), file, Phase::Settled);
+    let answer = until((&mut search, &woken), "renamed", |s| s.request == number);
+    assert_eq!(answer.characters[1].name, "C");
+    assert_eq!(answer.characters[1].shown, Some(picked));
+    let alone = Command::RemoveCharacter { character: CharacterIdx(0) };
+    let alone = apply(&renamed, &alone).unwrap();
+    let number = search.submit(&alone, &ready_library(), file, Phase::Settled);
+    let answer = until((&mut search, &woken), "alone", |s| s.request == number);
+    assert_eq!((answer.characters.len(), answer.characters[0].name.as_str()), (1, "C"));
+    assert_eq!(answer.characters[0].picked, Some(picked));
 }

@@ -107,12 +107,8 @@ impl Worker {
             Phase::Dragging => Passing::By,
             Phase::Settled => Passing::Not,
         };
-        self.seats.resize_with(project.characters.len(), Seat::default);
+        self.take_seats(project.characters.iter().map(|character| character.name.as_str()));
         for (nth, (seat, character)) in self.seats.iter_mut().zip(&project.characters).enumerate() {
-            if seat.name != character.name {
-                // A renamed character is searched for anew, and so is one that moved up.
-                *seat = Seat { name: character.name.clone(), ..Seat::default() };
-            }
             let seed = project.search.seed.wrapping_add(nth as u64);
             let bridges = wants_bridges(&project);
             let asked = problem_of(&project, character, &library.library, bridges, &request.path);
@@ -146,6 +142,24 @@ impl Worker {
             };
             seat.refusal = refused;
         }
+    }
+
+    /// Gives every character the seat that it had: by its name, or where nobody has that any more, by
+    /// its place, for it was renamed then.
+    fn take_seats<'n>(&mut self, names: impl Iterator<Item = &'n str>) {
+        let names: Vec<&str> = names.collect();
+        let mut old: Vec<Option<Seat>> =
+            std::mem::take(&mut self.seats).into_iter().map(Some).collect();
+        let mut seats: Vec<Option<Seat>> = Vec::with_capacity(names.len());
+        for name in &names {
+            let same = |seat: &&mut Option<Seat>| seat.as_ref().is_some_and(|s| s.name == *name);
+            seats.push(old.iter_mut().find(same).and_then(Option::take));
+        }
+        let seat = |(nth, (seat, name)): (usize, (Option<Seat>, &&str))| {
+            let seat = seat.or_else(|| old.get_mut(nth).and_then(Option::take)).unwrap_or_default();
+            Seat { name: (*name).to_owned(), ..seat }
+        };
+        self.seats = seats.into_iter().zip(&names).enumerate().map(seat).collect();
     }
 
     /// Makes the motions that are looked at, where they are not made for what is asked now.

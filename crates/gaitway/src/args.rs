@@ -87,6 +87,9 @@ pub(crate) enum Command {
     Edit {
         /// The project [default: the built-in sample]
         project: Option<PathBuf>,
+        /// Work on it that was saved when a window went down
+        #[arg(long, hide = true, value_name = "FILE")]
+        recovered: Option<PathBuf>,
     },
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  \

@@ -38,7 +38,7 @@ impl EditorApp {
         theme::choose(&cc.egui_ctx, state.settings.theme);
         Self {
             state,
-            viewport: ViewportPanel::new(cc.wgpu_render_state.as_ref()),
+            viewport: ViewportPanel::new(cc.wgpu_render_state.as_ref(), &cc.egui_ctx),
             timeline: TimelinePanel::default(),
             library: LibraryPanel::default(),
             palette: CommandPalette::default(),

@@ -10,6 +10,7 @@
 
 pub mod app;
 pub mod run;
+pub mod window;
 
 pub mod state;
 

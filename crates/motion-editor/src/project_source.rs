@@ -11,6 +11,13 @@ pub enum ProjectSource {
     Sample,
     /// A file.
     File(PathBuf),
+    /// Work that was saved when a window went down.
+    Recovered {
+        /// Where it was saved.
+        work: PathBuf,
+        /// The project that it belongs to; `None` for the sample.
+        project: Option<PathBuf>,
+    },
 }
 
 impl ProjectSource {
@@ -23,6 +30,11 @@ impl ProjectSource {
                 Ok((sample::sample().map_err(said)?, path))
             }
             Self::File(path) => Ok((load_project(path, warnings).map_err(said)?, path.clone())),
+            Self::Recovered { work, project } => {
+                let sample = || Path::new(sample::FILE_NAME).to_owned();
+                let path = project.clone().unwrap_or_else(sample);
+                Ok((load_project(work, warnings).map_err(said)?, path))
+            }
         }
     }
 }

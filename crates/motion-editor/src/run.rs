@@ -1,5 +1,7 @@
 //! Opens the window.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use egui::ViewportBuilder;
@@ -8,6 +10,7 @@ use egui_wgpu::{WgpuSetup, WgpuSetupCreateNew, wgpu};
 use crate::app::EditorApp;
 use crate::project_source::ProjectSource;
 use crate::solving::ROUNDS;
+use crate::window::{SavedWork, Window};
 
 /// Why there is no window.
 #[derive(Debug, thiserror::Error)]
@@ -20,8 +23,26 @@ pub enum OpenError {
     NoWindow(String),
 }
 
-/// Opens the editor and returns when its window is closed.
-pub fn run(source: ProjectSource) -> Result<(), OpenError> {
+/// How a window ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Closed {
+    /// Somebody closed it.
+    ByUser,
+    /// Its graphics device was lost; the work is in this file.
+    DeviceLost(PathBuf),
+}
+
+/// Opens the editor and returns when its window is closed, or went down with its device.
+pub fn run(source: ProjectSource) -> Result<Closed, OpenError> {
+    let saved = SavedWork::default();
+    let opened = catch_unwind(AssertUnwindSafe(|| open(source, saved.clone())));
+    if let Some(path) = saved.take() {
+        return Ok(Closed::DeviceLost(path));
+    }
+    opened.unwrap_or_else(|panic| resume_unwind(panic)).map(|()| Closed::ByUser)
+}
+
+fn open(source: ProjectSource, saved: SavedWork) -> Result<(), OpenError> {
     let mut setup = WgpuSetupCreateNew::without_display_handle();
     setup.device_descriptor = Arc::new(|adapter| wgpu::DeviceDescriptor {
         label: Some("gaitway"),
@@ -38,8 +59,9 @@ pub fn run(source: ProjectSource) -> Result<(), OpenError> {
     };
     options.wgpu_options.wgpu_setup = WgpuSetup::CreateNew(setup);
     let create = Box::new(move |cc: &eframe::CreationContext<'_>| {
-        let app: Box<dyn eframe::App> = Box::new(EditorApp::new(cc, &source, ROUNDS));
-        Ok(app)
+        let app = EditorApp::new(cc, &source, ROUNDS);
+        let window: Box<dyn eframe::App> = Box::new(Window::new(app, saved));
+        Ok(window)
     });
     eframe::run_native("gaitway", options, create).map_err(|error| {
         // The last part of the chain says it; what is before names places in libraries.

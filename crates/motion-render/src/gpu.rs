@@ -83,19 +83,23 @@ impl Gpu {
             })
             .await
             .map_err(|error| no_adapter(&error))?;
-        Ok(Self::from_parts(device, queue, &info))
+        Ok(Self::from_parts(device, queue, &info, || ()))
     }
 
     /// Draws with a device that somebody else opened and owns, with at least the limits of
-    /// [`required_limits`].
+    /// [`required_limits`]. `wake` is called from any thread when it turns out to be lost.
     pub fn from_parts(
         device: wgpu::Device,
         queue: wgpu::Queue,
         adapter: &wgpu::AdapterInfo,
+        wake: impl Fn() + Send + 'static,
     ) -> Self {
         let is_lost = Arc::new(AtomicBool::new(false));
         let lost = Arc::clone(&is_lost);
-        device.set_device_lost_callback(move |_, _| lost.store(true, Ordering::Release));
+        device.set_device_lost_callback(move |_, _| {
+            lost.store(true, Ordering::Release);
+            wake();
+        });
         Self {
             device,
             queue,

@@ -26,7 +26,7 @@ pub(crate) fn run(common: &Common, command: Command) -> Result<(), Failure> {
         #[cfg(feature = "render")]
         Command::Render(args) => render::run(&console, common, &args),
         #[cfg(feature = "editor")]
-        Command::Edit { project } => edit::run(&console, project),
+        Command::Edit { project, recovered } => edit::run(&console, project, recovered),
         Command::Completions { shell } => completions::run(shell),
         Command::Man { output } => man::run(&output),
     }

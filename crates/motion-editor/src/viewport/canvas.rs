@@ -31,10 +31,12 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// A canvas on the window's device.
-    pub fn new(state: &RenderState) -> Self {
+    /// A canvas on the window's device. `ctx` is woken when the device is lost.
+    pub fn new(state: &RenderState, ctx: &egui::Context) -> Self {
+        let ctx = ctx.clone();
+        let wake = move || ctx.request_repaint();
         let (device, queue) = (state.device.clone(), state.queue.clone());
-        let gpu = Gpu::from_parts(device, queue, &state.adapter.get_info());
+        let gpu = Gpu::from_parts(device, queue, &state.adapter.get_info(), wake);
         Self {
             state: state.clone(),
             renderer: Renderer::new(&gpu),
@@ -50,6 +52,16 @@ impl Canvas {
     /// What draws, for a person.
     pub fn adapter_name(&self) -> &str {
         self.renderer.gpu().adapter_name()
+    }
+
+    /// Whether the device is gone.
+    pub fn is_lost(&self) -> bool {
+        self.renderer.gpu().is_lost()
+    }
+
+    /// Destroys the device, as a driver's fault would.
+    pub fn destroy_device(&self) {
+        self.renderer.gpu().device().destroy();
     }
 
     /// How many pictures were drawn so far.

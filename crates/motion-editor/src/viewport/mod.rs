@@ -50,9 +50,9 @@ pub struct ViewportPanel {
 
 impl ViewportPanel {
     /// A view; without a device (a test that looks at no pictures) it stays empty.
-    pub fn new(state: Option<&egui_wgpu::RenderState>) -> Self {
+    pub fn new(state: Option<&egui_wgpu::RenderState>, ctx: &egui::Context) -> Self {
         Self {
-            canvas: state.map(Canvas::new),
+            canvas: state.map(|state| Canvas::new(state, ctx)),
             camera: OrbitCamera::default(),
             frame_all: true,
             followed_m: None,
@@ -67,6 +67,18 @@ impl ViewportPanel {
     /// What draws, for a person.
     pub fn adapter_name(&self) -> Option<&str> {
         self.canvas.as_ref().map(Canvas::adapter_name)
+    }
+
+    /// Destroys the device, as a driver's fault would.
+    pub fn destroy_device(&self) {
+        if let Some(canvas) = &self.canvas {
+            canvas.destroy_device();
+        }
+    }
+
+    /// Whether the device that draws is gone.
+    pub fn is_device_lost(&self) -> bool {
+        self.canvas.as_ref().is_some_and(Canvas::is_lost)
     }
 
     /// How many pictures were drawn so far.

@@ -56,7 +56,10 @@ impl Canvas {
 
     /// Whether the device is gone.
     pub fn is_lost(&self) -> bool {
-        self.renderer.gpu().is_lost()
+        let gpu = self.renderer.gpu();
+        // Loss is told by a callback that only polling calls.
+        let _polled = gpu.device().poll(egui_wgpu::wgpu::PollType::Poll);
+        gpu.is_lost()
     }
 
     /// Destroys the device, as a driver's fault would.

@@ -43,6 +43,11 @@ impl Window {
         Self { app, saved, is_given_up: false }
     }
 
+    /// The editor in it.
+    pub fn app(&self) -> &EditorApp {
+        &self.app
+    }
+
     /// Saves the work to `folder` if the device is lost and this was not done yet. Gives whether the
     /// device is lost.
     pub fn save_if_lost(&mut self, folder: &Path) -> bool {
@@ -92,6 +97,10 @@ impl eframe::App for Window {
 impl Drop for Window {
     /// Painting may meet the loss first, and unwinds through here.
     fn drop(&mut self) {
+        if std::thread::panicking() {
+            // Loss is told only when the device has nothing left to do.
+            self.app.viewport.wait_for_device();
+        }
         self.save_if_lost(&recovery_folder());
     }
 }

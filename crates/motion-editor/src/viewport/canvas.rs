@@ -62,6 +62,12 @@ impl Canvas {
         gpu.is_lost()
     }
 
+    /// Waits until the device has done what it was given, or has gone over it.
+    pub fn wait_for_device(&self) {
+        let forever = egui_wgpu::wgpu::PollType::wait_indefinitely();
+        let _polled = self.renderer.gpu().device().poll(forever);
+    }
+
     /// Destroys the device, as a driver's fault would.
     pub fn destroy_device(&self) {
         self.renderer.gpu().device().destroy();

@@ -69,6 +69,13 @@ impl ViewportPanel {
         self.canvas.as_ref().map(Canvas::adapter_name)
     }
 
+    /// Waits until the device has done what it was given, or has gone over it.
+    pub fn wait_for_device(&self) {
+        if let Some(canvas) = &self.canvas {
+            canvas.wait_for_device();
+        }
+    }
+
     /// Destroys the device, as a driver's fault would.
     pub fn destroy_device(&self) {
         if let Some(canvas) = &self.canvas {

@@ -2,5 +2,6 @@
 #![allow(clippy::print_stderr, reason = "a test that is skipped says so")]
 
 mod author;
+mod device_loss;
 mod look;
 mod window;

@@ -9,15 +9,21 @@ use motion_editor::project_source::ProjectSource;
 use motion_render::gpu::{AdapterChoice, Gpu};
 
 /// Enough for two takes.
-const ROUNDS: &[u64] = &[12];
+pub(crate) const ROUNDS: &[u64] = &[12];
 
-/// The editor with the sample, not yet solved; `None`, and a line that says so, where nothing can
-/// draw (unless `GAITWAY_REQUIRE_GPU` is 1).
+/// Whether anything can draw here; says a line where nothing can (and fails where
+/// `GAITWAY_REQUIRE_GPU` is 1).
+pub(crate) fn can_draw() -> bool {
+    let Err(error) = Gpu::open(AdapterChoice::Software) else { return true };
+    let required = std::env::var("GAITWAY_REQUIRE_GPU").is_ok_and(|value| value == "1");
+    assert!(!required, "GAITWAY_REQUIRE_GPU is set, but {error}");
+    eprintln!("skipped: {error}");
+    false
+}
+
+/// The editor with the sample, not yet solved; `None` where nothing can draw.
 pub(crate) fn open() -> Option<Harness<'static, EditorApp>> {
-    if let Err(error) = Gpu::open(AdapterChoice::Software) {
-        let required = std::env::var("GAITWAY_REQUIRE_GPU").is_ok_and(|value| value == "1");
-        assert!(!required, "GAITWAY_REQUIRE_GPU is set, but {error}");
-        eprintln!("skipped: {error}");
+    if !can_draw() {
         return None;
     }
     let builder = Harness::builder().with_size(Vec2::new(1600.0, 1000.0)).wgpu();

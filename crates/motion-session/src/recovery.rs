@@ -5,12 +5,15 @@ use std::path::{Path, PathBuf};
 use motion_io::diagnostic::FileError;
 use motion_io::project_file::{self, Project};
 
-/// The folder for work that was saved by the program rather than its user: the system's folder for
-/// state (`XDG_STATE_HOME/gaitway` on Linux), the temporary folder where there is none.
+/// The folder for work that was saved by the program rather than its user: `gaitway` in the user's
+/// folder for state (`XDG_STATE_HOME`, `LOCALAPPDATA`, or `.local/state` at home), or in the
+/// temporary folder where there is none.
 pub fn recovery_folder() -> PathBuf {
-    let own = directories::ProjectDirs::from("", "", "gaitway");
-    let state = own.map(|own| own.state_dir().unwrap_or(own.data_local_dir()).to_owned());
-    state.unwrap_or_else(|| std::env::temp_dir().join("gaitway"))
+    let named = |name| std::env::var_os(name).filter(|path| !path.is_empty()).map(PathBuf::from);
+    let state = named("XDG_STATE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| named("HOME").map(|home| home.join(".local/state")));
+    state.unwrap_or_else(std::env::temp_dir).join("gaitway")
 }
 
 /// Saves `project` in `folder`, which is made if it is missing; gives the file. A file saved there

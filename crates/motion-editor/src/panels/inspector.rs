@@ -14,7 +14,7 @@ pub fn inspector_ui(ui: &mut Ui, state: &EditorState) {
         heading_ui(ui, &format!("Checkpoint {number}"), "");
         mark_ui(ui, mark, state.player.fps());
     } else if let Some(take) = state.shown_take() {
-        heading_ui(ui, "Cost", "0.1 is 3 cm, 1° or 1 frame off");
+        heading_ui(ui, "Cost", "1 is 30 cm, 10° or 10 frames off");
         cost_ui(ui, take);
     } else {
         heading_ui(ui, "Inspector", "");

@@ -1,16 +1,5 @@
 // Bodies. Keep in sync with primitive/skinned_mesh.rs.
 
-struct Instance {
-    tint: vec4f,
-    first_joint: u32,
-    pick: u32,
-    // 1 for bodies that are selected, 2 for hovered ones.
-    emphasis: u32,
-    unused: u32,
-};
-
-@group(2) @binding(1) var<storage, read> instances: array<Instance>;
-
 struct Part {
     base_color: vec4f,
     // x: roughness. y: texels under this alpha are not there.
@@ -20,14 +9,6 @@ struct Part {
 @group(3) @binding(0) var<uniform> part: Part;
 @group(3) @binding(1) var base_texture: texture_2d<f32>;
 @group(3) @binding(2) var base_sampler: sampler;
-
-struct Vertex {
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) uv: vec2f,
-    @location(3) joints: vec4u,
-    @location(4) weights: vec4f,
-};
 
 struct Skinned {
     @builtin(position) @invariant clip: vec4f,

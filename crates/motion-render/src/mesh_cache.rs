@@ -12,7 +12,7 @@ use crate::gpu::Gpu;
 use crate::mipmaps::mip_levels;
 use crate::pipeline::{UNIFORM, bind_group_layout, texture_binding};
 
-/// A vertex as it is stored. Keep in sync with `Vertex` in `skinned_mesh.wgsl`.
+/// A vertex as it is stored. Keep in sync with `Vertex` in `common/body.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct GpuVertex {

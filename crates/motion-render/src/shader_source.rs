@@ -3,6 +3,7 @@
 const FRAME: &str = include_str!("../../../shaders/common/frame.wgsl");
 const SHADOW: &str = include_str!("../../../shaders/common/shadow.wgsl");
 const LIGHTING: &str = include_str!("../../../shaders/common/lighting.wgsl");
+const BODY: &str = include_str!("../../../shaders/common/body.wgsl");
 const SKINNING: &str = include_str!("../../../shaders/common/skinning.wgsl");
 
 /// One shader module: its file's name and the parts it is made of.
@@ -31,8 +32,8 @@ macro_rules! shaders {
 }
 
 shaders! {
-    SKINNED_MESH = "skinned_mesh" with FRAME, SHADOW, LIGHTING, SKINNING;
-    SKINNED_SHADOW = "skinned_shadow" with FRAME, SKINNING;
+    SKINNED_MESH = "skinned_mesh" with FRAME, SHADOW, LIGHTING, SKINNING, BODY;
+    SKINNED_SHADOW = "skinned_shadow" with FRAME, SKINNING, BODY;
     SKINNED_POSITIONS = "skinned_positions" with SKINNING;
     SOLIDS = "solids" with FRAME, SHADOW, LIGHTING;
     SOLIDS_SHADOW = "solids_shadow" with FRAME;

@@ -28,7 +28,7 @@ impl GpuJoint {
     }
 }
 
-/// Keep in sync with `Instance` in `skinned_mesh.wgsl` and `skinned_shadow.wgsl`.
+/// Keep in sync with `Instance` in `common/body.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct GpuInstance {

@@ -26,15 +26,10 @@ pub struct EditorApp {
 }
 
 impl EditorApp {
-    /// Opens a project and begins to solve it; motions are shown after so many `rounds` of the
-    /// search each ([`crate::solving::ROUNDS`] but for tests).
-    pub fn new(
-        cc: &eframe::CreationContext<'_>,
-        source: &ProjectSource,
-        rounds: &'static [u64],
-    ) -> Self {
+    /// Opens a project and begins to solve it.
+    pub fn new(cc: &eframe::CreationContext<'_>, source: &ProjectSource) -> Self {
         theme::install(&cc.egui_ctx);
-        let state = EditorState::new(source, rounds, &cc.egui_ctx);
+        let state = EditorState::new(source, &cc.egui_ctx);
         theme::choose(&cc.egui_ctx, state.settings.theme);
         Self {
             state,
@@ -106,11 +101,17 @@ impl EditorApp {
                 .size_range(240.0..=520.0)
                 .frame(side)
                 .show(ui, |ui| {
-                    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                        takes::takes_ui(ui, state);
-                        ui.add_space(2.0 * theme::GRID);
-                        inspector::inspector_ui(ui, state);
-                    });
+                    let scroll = |name| egui::ScrollArea::vertical().id_salt(name);
+                    // Whatever is found, what is selected stays in sight.
+                    let room = 0.6 * ui.available_height();
+                    scroll("takes")
+                        .auto_shrink([false, true])
+                        .max_height(room)
+                        .show(ui, |ui| takes::takes_ui(ui, state));
+                    ui.add_space(2.0 * theme::GRID);
+                    scroll("inspector")
+                        .auto_shrink(false)
+                        .show(ui, |ui| inspector::inspector_ui(ui, state));
                 });
         }
         CentralPanel::no_frame().show(ui, |ui| self.viewport.ui(ui, state));
@@ -120,7 +121,8 @@ impl EditorApp {
 impl eframe::App for EditorApp {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
-        self.state.drain();
+        let dt_secs = f64::from(ctx.input(|input| input.unstable_dt));
+        self.state.drain(dt_secs);
         self.do_commands(&ctx);
         if self.state.player.is_playing() {
             self.state.player.advance(f64::from(ctx.input(|input| input.unstable_dt)));

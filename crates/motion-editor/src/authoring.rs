@@ -1,39 +1,42 @@
 //! The project that is open, and how it is changed and changed back.
 
-use std::path::PathBuf;
-
-use motion_session::Constraint;
 use motion_session::command::Command;
 use motion_session::document::{CharacterIdx, ConstraintRef, Document};
-use motion_session::history::History;
+use motion_session::live::Wake;
+use motion_session::session::SessionOptions;
 use motion_session::stage::pick::PickTarget;
-use motion_session::{ConstraintKind, Project};
+use motion_session::{Constraint, ConstraintKind, Session, Warnings};
+
+use crate::project_source::ProjectSource;
 
 /// A person's usual speed, metres per second: what a new checkpoint's frame is guessed by.
 const WALK_M_S: f64 = 1.2;
 
-/// A document with its history.
-#[derive(Debug)]
+/// A session, as the window speaks of it.
 pub struct Authoring {
-    history: History,
-    /// Messages name this file.
-    pub path: PathBuf,
-    /// The document that the worker was given last.
-    asked: Document,
+    /// The document with its history and its search.
+    pub session: Session,
     /// Why the last change was refused.
     pub refusal: Option<String>,
 }
 
 impl Authoring {
-    /// Opens a project.
-    pub fn new(project: Project, path: PathBuf) -> Self {
-        let document = Document::from_project(project);
-        Self { history: History::new(document.clone()), path, asked: document, refusal: None }
+    /// Opens a project; fails with a sentence.
+    pub fn new(source: &ProjectSource, wake: Wake) -> Result<Self, String> {
+        let project = source.read(&mut Warnings::new())?.0;
+        let options =
+            SessionOptions { state_folder: None, wake, builtin: None, project: Some(project) };
+        let mut session = Session::new(options).map_err(|error| error.to_string())?;
+        if let ProjectSource::File(path) = source {
+            // Again, so that the session knows the file that it saves to.
+            session.open(path).map_err(|error| error.to_string())?;
+        }
+        Ok(Self { session, refusal: None })
     }
 
     /// The document as it is, or would be after the gesture under way.
     pub fn document(&self) -> &Document {
-        self.history.present()
+        self.session.document()
     }
 
     /// The constraints of the character number `nth`.
@@ -64,69 +67,58 @@ impl Authoring {
 
     /// Does something as one step.
     pub fn apply(&mut self, command: &Command) {
-        self.refusal = self.history.apply(command).err().map(|error| error.to_string());
+        self.refusal = self.session.apply(command).err().map(|error| error.to_string());
     }
 
     /// Begins a gesture, which becomes one step.
     pub fn begin(&mut self, label: &str) {
         self.refusal = None;
-        self.history.begin_gesture(label);
+        self.session.begin_gesture(label);
     }
 
     /// Shows what the gesture would do.
     pub fn preview(&mut self, commands: &[Command]) {
-        self.refusal = self.history.preview(commands).err().map(|error| error.to_string());
+        self.refusal = self.session.preview(commands).err().map(|error| error.to_string());
     }
 
     /// Ends the gesture.
     pub fn commit(&mut self) {
-        self.history.commit();
+        self.session.commit();
     }
 
     /// Ends the gesture as if it had not been; gives whether there was one.
     pub fn cancel(&mut self) -> bool {
-        self.history.cancel()
+        let is_in_gesture = self.is_in_gesture();
+        self.session.cancel();
+        is_in_gesture
     }
 
     /// Whether a gesture is under way.
     pub fn is_in_gesture(&self) -> bool {
-        self.history.is_in_gesture()
+        self.session.history().is_in_gesture()
     }
 
     /// Takes back the last step.
     pub fn undo(&mut self) {
         self.refusal = None;
-        self.history.undo();
+        self.session.undo();
     }
 
     /// Does again what was taken back.
     pub fn redo(&mut self) {
         self.refusal = None;
-        self.history.redo();
+        self.session.redo();
     }
 
     /// Whether there is a step to take back, and one to do again.
     pub fn can_undo_redo(&self) -> (bool, bool) {
-        (self.history.undo_label().is_some(), self.history.redo_label().is_some())
+        let history = self.session.history();
+        (history.undo_label().is_some(), history.redo_label().is_some())
     }
 
-    /// Whether the document asks for something else than the worker was given.
-    pub fn is_stale(&self) -> bool {
-        !self.document().asks_the_same_as(&self.asked)
-    }
-
-    /// The project to be solved anew, if there is one: never while a gesture is under way.
-    pub fn to_be_solved(&mut self) -> Option<Project> {
-        if self.is_in_gesture() || !self.is_stale() {
-            return None;
-        }
-        Some(self.project_to_solve())
-    }
-
-    /// The project to be solved.
-    pub fn project_to_solve(&mut self) -> Project {
-        self.asked = self.document().clone();
-        self.asked.to_project()
+    /// Writes the project to its own file.
+    pub fn save(&mut self) {
+        self.refusal = self.session.save().err().map(|error| error.to_string());
     }
 
     /// Commands that put a checkpoint for the first character: at `frame` if no other is there,
@@ -169,20 +161,19 @@ impl Authoring {
 
     /// The first character's constraints without what the gesture under way has made.
     fn before_gesture(&self) -> &[Constraint] {
-        let settled = self.history.settled();
+        let settled = self.session.history().settled();
         settled.character(CharacterIdx(0)).map_or(&[], |c| c.constraints.as_slice())
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
-    use crate::project_source::ProjectSource;
 
     fn sample() -> Authoring {
-        let mut warnings = motion_session::Warnings::new();
-        let (project, path) = ProjectSource::Sample.read(&mut warnings).unwrap();
-        Authoring::new(project, path)
+        Authoring::new(&ProjectSource::Sample, Arc::new(|| ())).unwrap()
     }
 
     fn frames(authoring: &Authoring) -> Vec<u32> {
@@ -190,21 +181,17 @@ mod tests {
     }
 
     #[test]
-    fn a_drag_is_solved_once_it_is_over() {
+    fn a_drag_is_one_step() {
         let mut authoring = sample();
         let at = ConstraintRef::new(CharacterIdx(0), "corner");
         authoring.begin("Retime");
         for frame in [100, 90] {
             authoring.preview(&[Command::Retime { at: at.clone(), frame }]);
-            assert!(authoring.is_stale() && authoring.to_be_solved().is_none());
         }
         authoring.commit();
         assert_eq!(frames(&authoring), [0, 90, 239]);
-        assert!(authoring.to_be_solved().is_some());
-        assert!(authoring.to_be_solved().is_none(), "once");
         authoring.undo();
         assert_eq!(frames(&authoring), [0, 110, 239]);
-        assert!(authoring.to_be_solved().is_some());
         assert_eq!(authoring.can_undo_redo(), (false, true));
     }
 

@@ -5,7 +5,7 @@
 //! ([`solving`]), does the commands that were asked for ([`ui_command::UiCommand`]), and panels draw
 //! it and ask for more. Panels change nothing but the state, and through it alone.
 //!
-//! Nothing is computed here that takes long: the search runs on a thread of its own, the picture is
+//! Nothing is computed here that takes long: the search runs on a thread of the session's, the picture is
 //! drawn by `motion-render`, and only when something in it has changed.
 
 pub mod app;

@@ -9,7 +9,6 @@ use egui_wgpu::{WgpuSetup, WgpuSetupCreateNew, wgpu};
 
 use crate::app::EditorApp;
 use crate::project_source::ProjectSource;
-use crate::solving::ROUNDS;
 use crate::window::{SavedWork, Window};
 
 /// Why there is no window.
@@ -59,7 +58,7 @@ fn open(source: ProjectSource, saved: SavedWork) -> Result<(), OpenError> {
     };
     options.wgpu_options.wgpu_setup = WgpuSetup::CreateNew(setup);
     let create = Box::new(move |cc: &eframe::CreationContext<'_>| {
-        let app = EditorApp::new(cc, &source, ROUNDS);
+        let app = EditorApp::new(cc, &source);
         let window: Box<dyn eframe::App> = Box::new(Window::new(app, saved));
         Ok(window)
     });

@@ -43,6 +43,8 @@ pub struct Settings {
     pub tool: Tool,
     /// The camera keeps to the character.
     pub follow: bool,
+    /// The best take is shown whenever there is a better one.
+    pub follow_best: bool,
     /// The way over the floor is shown.
     pub trail: bool,
     /// Other moments are shown.
@@ -62,6 +64,7 @@ impl Default for Settings {
             navigation: Navigation::Blender,
             tool: Tool::Select,
             follow: false,
+            follow_best: false,
             trail: true,
             ghosts: false,
             left_open: true,

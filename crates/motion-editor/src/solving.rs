@@ -1,34 +1,26 @@
-//! The worker that solves a project while the window goes on.
+//! What the live search has found, made ready to be shown.
+//!
+//! The search is the session's and runs on a thread of its own; this brings its snapshots to
+//! [`Take`]s, which have a body to be drawn. Bodies take a while to make, so that is done on another
+//! thread.
 
-use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
-use std::time::Instant;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, sync_channel};
 
-use motion_core::cancel::CancelToken;
-use motion_core::clip::Clip;
+use motion_core::floor::soles_of;
+use motion_core::skeleton::Skeleton;
+use motion_scene::body::Look;
 use motion_scene::color::Theme;
-use motion_session::budget::Budget;
-use motion_session::project_job::{ProjectRequest, Solved, solve_project};
+use motion_scene::mesh::MeshId;
+use motion_session::Session;
+use motion_session::document::CharacterIdx;
+use motion_session::live::{ReadyLibrary, Take as Found};
 use motion_session::stage::actor::Actor;
-use motion_session::stage::cast;
-use motion_session::{Project, Warnings};
+use motion_session::stage::cast::look_of;
+use motion_session::stage::figure::Figure;
+use motion_session::stage::{Role, Stage};
 
 use crate::take::{Cut, Lane, Piece, Take, plants_of};
-
-/// What comes out of a project.
-#[derive(Clone, Debug)]
-pub struct Outcome {
-    /// Best first.
-    pub takes: Vec<Take>,
-    /// The library's clips.
-    pub clips: Vec<ClipLine>,
-    /// Sentences on what could not be met.
-    pub unmet: Vec<String>,
-    /// How long it took, seconds.
-    pub seconds: f64,
-    /// Whether no better one will follow.
-    pub is_final: bool,
-}
 
 /// A clip of the library.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,204 +33,126 @@ pub struct ClipLine {
     pub tags: Vec<String>,
 }
 
-/// Where the work stands.
+/// The body that motions of a library are shown in.
+#[derive(Debug, Default)]
+pub struct Dressing {
+    library: Option<ReadyLibrary>,
+    coming: Option<Receiver<Dress>>,
+    dress: Option<Dress>,
+}
+
+/// A skeleton with its mannequin.
 #[derive(Clone, Debug)]
-pub enum Stage {
-    /// It goes on: what is done, and the share of it, 0 to 1.
-    Working(String, f64),
-    /// It is done.
-    Done,
-    /// It cannot be done; a sentence.
-    Failed(String),
+pub struct Dress {
+    skeleton: Arc<Skeleton>,
+    figure: Arc<Figure>,
 }
 
-enum Event {
-    Progress(String, f64),
-    Found(Box<Outcome>),
-    Failed(String),
-}
-
-/// A project being solved on a thread of its own. Dropping it stops the work.
-#[derive(Debug)]
-pub struct Solving {
-    events: Receiver<Event>,
-    cancel: CancelToken,
-    /// Where the work stood when it was last looked at.
-    pub stage: Stage,
-}
-
-/// Rounds of the search after which its motions are shown: soon the first ones, then better ones.
-/// Rounds, not seconds, so that the same project gives the same motions every time.
-pub const ROUNDS: &[u64] = &[12, 60];
-/// News that nobody has read yet; more is dropped, since only the newest matters.
-const N_WAITING: usize = 16;
-
-impl Solving {
-    /// Begins a search that shows its motions after so many `rounds` each. `wake` is called whenever there is news.
-    pub fn start(
-        project: Project,
-        path: PathBuf,
-        rounds: &'static [u64],
-        wake: impl Fn() + Send + Sync + 'static,
-    ) -> Self {
-        let (sender, events) = sync_channel(N_WAITING);
-        let cancel = CancelToken::new();
-        let token = cancel.clone();
-        let work = move || {
-            let mut worker = Worker { project, path, cancel: token, sender, bodies: Vec::new() };
-            for n in rounds {
-                let event = match worker.solve(*n, Some(n) == rounds.last(), &wake) {
-                    Ok(outcome) => Event::Found(Box::new(outcome)),
-                    Err(sentence) => Event::Failed(sentence),
-                };
-                let is_over = matches!(event, Event::Failed(_)) || worker.cancel.is_cancelled();
-                // Nobody listens any more: the window was closed, or asks for something else.
-                let is_heard = worker.sender.send(event).is_ok();
-                wake();
-                if is_over || !is_heard {
-                    break;
-                }
-            }
-        };
-        let thread = std::thread::Builder::new().name("solving".to_owned()).spawn(work);
-        let stage = match thread {
-            Ok(_detached) => Stage::Working("Starting".to_owned(), 0.0),
-            Err(error) => Stage::Failed(format!("no thread could be started ({error})")),
-        };
-        Self { events, cancel, stage }
-    }
-
-    /// Work that cannot even begin.
-    pub fn failed(sentence: String) -> Self {
-        let (_, events) = sync_channel(1);
-        Self { events, cancel: CancelToken::new(), stage: Stage::Failed(sentence) }
-    }
-
-    /// Takes in the news; an outcome comes once, better ones later.
-    pub fn poll(&mut self) -> Option<Outcome> {
-        loop {
-            match self.events.try_recv() {
-                Ok(Event::Progress(what, share)) => self.stage = Stage::Working(what, share),
-                Ok(Event::Found(outcome)) => {
-                    if outcome.is_final {
-                        self.stage = Stage::Done;
-                    }
-                    return Some(*outcome);
-                }
-                Ok(Event::Failed(sentence)) => self.stage = Stage::Failed(sentence),
-                Err(TryRecvError::Empty) => return None,
-                Err(TryRecvError::Disconnected) => {
-                    if matches!(self.stage, Stage::Working(..)) {
-                        self.stage = Stage::Failed("the search ended unexpectedly".to_owned());
-                    }
-                    return None;
-                }
-            }
-        }
-    }
-}
-
-impl Drop for Solving {
-    fn drop(&mut self) {
-        self.cancel.cancel();
-    }
-}
-
-/// What the thread works with.
-struct Worker {
-    project: Project,
-    path: PathBuf,
-    cancel: CancelToken,
-    sender: SyncSender<Event>,
-    /// Dressing takes a while, and all takes of a character have the same body.
-    bodies: Vec<Actor>,
-}
-
-impl Worker {
-    fn solve(
+impl Dressing {
+    /// The body for this library, once it is there; begins to make it where it is another library
+    /// than before. `wake` is called when it has come.
+    pub fn poll(
         &mut self,
-        rounds: u64,
-        is_final: bool,
-        wake: &(impl Fn() + Sync),
-    ) -> Result<Outcome, String> {
-        let start = Instant::now();
-        let request = ProjectRequest {
-            project: &self.project,
-            path: &self.path,
-            library: None,
-            mirror: false,
-            no_bridges: false,
-            seed: None,
-            alternatives: None,
-            budget: Budget::Iterations(rounds),
-        };
-        let on_progress = |what: &str, share: f64| {
-            // Full: the window is busy and will hear of a later moment.
-            drop(self.sender.try_send(Event::Progress(what.to_owned(), share)));
-            wake();
-        };
-        let mut warnings = Warnings::new();
-        let solved = solve_project(&request, &self.cancel, &mut warnings, &on_progress)
-            .map_err(|error| error.to_string())?;
-        let takes = takes_of(&self.project, &solved, &mut self.bodies)?;
-        let clips = solved.characters.first().map(|character| {
-            let line = |clip: &Clip| ClipLine {
-                id: clip.id.clone(),
-                n_frames: clip.n_frames(),
-                tags: clip.tags.clone(),
-            };
-            character.library.clips.clips().iter().map(line).collect()
-        });
-        let mut unmet: Vec<String> = Vec::new();
-        for sentence in solved.report.characters.iter().flat_map(|character| &character.unmet) {
-            if !unmet.contains(sentence) {
-                unmet.push(sentence.clone());
-            }
+        library: &ReadyLibrary,
+        wake: impl Fn() + Send + 'static,
+    ) -> Option<&Dress> {
+        if self.library.as_ref().is_none_or(|known| !known.is(library)) {
+            self.library = Some(library.clone());
+            self.dress = None;
+            self.coming = begin(library.clone(), wake);
         }
-        Ok(Outcome {
-            takes,
-            clips: clips.unwrap_or_default(),
-            unmet,
-            seconds: start.elapsed().as_secs_f64(),
-            is_final,
-        })
+        if let Some(dress) = self.coming.as_ref().and_then(|coming| coming.try_recv().ok()) {
+            self.dress = Some(dress);
+            self.coming = None;
+        }
+        self.dress.as_ref()
     }
 }
 
-fn takes_of(
-    project: &Project,
-    solved: &Solved,
-    bodies: &mut Vec<Actor>,
-) -> Result<Vec<Take>, String> {
-    let n_takes = solved.characters.iter().map(|c| c.motions.len()).min().unwrap_or_default();
-    let theme = Theme::Dark;
-    let mut takes = Vec::new();
-    for take in 0..n_takes.max(1) {
-        let parts = cast::parts(solved, take).map_err(|nobody| nobody.to_string())?;
-        let mut actors = Vec::with_capacity(parts.len());
-        for (nth, part) in parts.into_iter().enumerate() {
-            let actor = match bodies.get(nth) {
-                Some(body) => Actor { motion: part.motion, ..body.clone() },
-                None => cast::as_mannequin(nth, part, theme),
-            };
-            if bodies.len() == nth {
-                bodies.push(actor.clone());
-            }
-            actors.push(actor);
-        }
-        let stage = cast::stage_of_project(project, solved, take, actors, theme);
-        let lane = lane_of(solved, take, &stage);
-        takes.push(Take { number: take + 1, fps: project.fps, stage, lane });
-    }
-    Ok(takes)
-}
-
-/// What is said of the first character.
-fn lane_of(solved: &Solved, take: usize, stage: &motion_session::stage::Stage) -> Lane {
-    let Some(report) = solved.report.characters.first().and_then(|c| c.alternatives.get(take))
-    else {
-        return Lane::default();
+fn begin(library: ReadyLibrary, wake: impl Fn() + Send + 'static) -> Option<Receiver<Dress>> {
+    let (sender, coming) = sync_channel(1);
+    let work = move || {
+        let set = &library.library.clips;
+        let soles =
+            soles_of(set.skeleton(), set.clips().iter().map(|clip| (&clip.motion, &clip.track)));
+        let motion = set.clips().first().map(|clip| &clip.motion);
+        let figure = Figure::mannequin(MeshId(0), set.skeleton(), motion, soles);
+        let skeleton = Arc::new(set.skeleton().clone());
+        // Nobody listens any more: the window was closed.
+        drop(sender.send(Dress { skeleton, figure: Arc::new(figure) }));
+        wake();
     };
+    let thread = std::thread::Builder::new().name("dressing".to_owned()).spawn(work);
+    thread.is_ok().then_some(coming)
+}
+
+/// The clips of a library.
+pub fn clip_lines(library: &ReadyLibrary) -> Vec<ClipLine> {
+    let line = |clip: &motion_core::clip::Clip| ClipLine {
+        id: clip.id.clone(),
+        n_frames: clip.n_frames(),
+        tags: clip.tags.clone(),
+    };
+    library.library.clips.clips().iter().map(line).collect()
+}
+
+/// The takes of the first character that have a motion, best first; everybody else is shown in the
+/// take that is looked at. `known` takes are used again where they are the same.
+pub fn takes_of(session: &Session, dress: &Dress, theme: Theme, known: &[Take]) -> Vec<Take> {
+    let Some(first) = session.snapshot().character(CharacterIdx(0)) else { return Vec::new() };
+    let others: Vec<Actor> = (1..session.document().characters().len())
+        .filter_map(|nth| {
+            let shown = session.shown_of(CharacterIdx(nth))?;
+            actor_of(nth, &session.document().characters()[nth].name, shown.take, dress, theme)
+        })
+        .collect();
+    let found = first.takes.iter().filter_map(|found| {
+        let made = found.made.as_ref()?;
+        let same = known.iter().find(|take| Arc::ptr_eq(&take.motion, &made.motion));
+        let mut take = match same {
+            Some(take) => take.clone(),
+            None => new_take(found, first.name.as_str(), dress, theme)?,
+        };
+        take.stage.actors.truncate(1);
+        take.stage.actors.extend(others.iter().cloned());
+        take.is_stale = first.is_stale(found);
+        take.lane.score = f64::from(found.score);
+        let t = &found.terms;
+        take.lane.terms = [t.continuity, t.length, t.body, t.environment].map(f64::from);
+        Some(take)
+    });
+    let mut takes: Vec<Take> = found.collect();
+    for (take, number) in takes.iter_mut().zip(1..) {
+        take.number = number;
+    }
+    takes
+}
+
+fn actor_of(nth: usize, name: &str, found: &Found, dress: &Dress, theme: Theme) -> Option<Actor> {
+    let motion = Arc::clone(&found.made.as_ref()?.motion);
+    let Dress { skeleton, figure } = dress.clone();
+    let look: Look = look_of(nth, theme);
+    Some(Actor { name: name.to_owned(), figure, skeleton, motion, look })
+}
+
+fn new_take(found: &Found, name: &str, dress: &Dress, theme: Theme) -> Option<Take> {
+    let made = found.made.as_ref()?;
+    let actor = actor_of(0, name, found, dress, theme)?;
+    let mut stage = Stage::new(theme, vec![actor]);
+    let root_path_m = made.motion.root_positions_m().to_vec();
+    stage.roles = vec![Role { root_path_m, ..Role::default() }];
+    Some(Take {
+        id: found.id,
+        number: 0,
+        fps: made.motion.fps().get(),
+        lane: lane_of(&made.report, &stage),
+        stage,
+        motion: Arc::clone(&made.motion),
+        is_stale: false,
+    })
+}
+
+fn lane_of(report: &motion_session::AlternativeReport, stage: &Stage) -> Lane {
     let mut pieces = Vec::with_capacity(report.pieces.len());
     for (nth, piece) in report.pieces.iter().enumerate() {
         let frame_of = |nth: usize| report.seams.get(nth).map(|seam| seam.frame as usize);
@@ -255,10 +169,9 @@ fn lane_of(solved: &Solved, take: usize, stage: &motion_session::stage::Stage) -
         cost: seam.cost,
         is_bridge: seam.bridge,
     };
-    let t = &report.terms;
     Lane {
         score: report.score,
-        terms: [t.continuity, t.length, t.body, t.joint, t.style, t.environment],
+        terms: [0.0; 4],
         pieces,
         cuts: report.seams.iter().map(cut).collect(),
         misses: report.final_.clone(),

@@ -1,37 +1,36 @@
 //! What the window shows and how commands change it; no widget is known here.
 
+use std::sync::Arc;
+
 use motion_scene::color::Theme;
+use motion_session::ConstraintKind;
 use motion_session::command::Command;
+use motion_session::document::{CharacterIdx, TakeId};
+use motion_session::live::{SearchState, Wake};
 use motion_session::stage::pick::PickTarget;
-use motion_session::{ConstraintKind, Project, Warnings};
 
 use crate::authoring::Authoring;
 use crate::player::Player;
 use crate::project_source::ProjectSource;
 use crate::settings::{Navigation, Settings, Tool};
-use crate::solving::{ClipLine, Outcome, Solving, Stage};
+use crate::solving::{ClipLine, Dressing, clip_lines, takes_of};
 use crate::take::{Mark, Take};
 use crate::ui_command::UiCommand;
 
 /// The state that all panels share.
-#[derive(Debug)]
 pub struct EditorState {
-    /// Rounds of the search after which motions are shown.
-    rounds: &'static [u64],
     /// The project, if it could be read.
     pub authoring: Option<Authoring>,
-    /// The work in the background.
-    pub solving: Solving,
+    /// Why there is no project.
+    failure: Option<String>,
+    /// The bodies that motions are shown in.
+    dressing: Dressing,
     /// What was found, best first.
     pub takes: Vec<Take>,
     /// The one that is shown.
     pub shown: Option<usize>,
     /// The one that was shown before.
-    pub shown_before: Option<usize>,
-    /// Sentences on what could not be met.
-    pub unmet: Vec<String>,
-    /// How long the search took, seconds.
-    pub solved_in_secs: Option<f64>,
+    pub shown_before: Option<TakeId>,
     /// The library's clips.
     pub clips: Vec<ClipLine>,
     /// Body constraints of the first character, by frame.
@@ -44,8 +43,6 @@ pub struct EditorState {
     pub hovered: Option<PickTarget>,
     /// What is selected, everywhere.
     pub selected: Option<PickTarget>,
-    /// Whether no take was shown yet for what is asked now.
-    is_new_question: bool,
     /// What was asked for since the last frame.
     commands: Vec<UiCommand>,
     /// Starts work that wakes the window.
@@ -54,25 +51,20 @@ pub struct EditorState {
 
 impl EditorState {
     /// Opens a project and begins to solve it.
-    pub fn new(source: &ProjectSource, rounds: &'static [u64], ctx: &egui::Context) -> Self {
-        let (mut authoring, failure) = match source.read(&mut Warnings::new()) {
-            Ok((project, path)) => (Some(Authoring::new(project, path)), String::new()),
-            Err(sentence) => (None, sentence),
-        };
-        let solving = match &mut authoring {
-            Some(authoring) => start(authoring, rounds, ctx),
-            None => Solving::failed(failure),
+    pub fn new(source: &ProjectSource, ctx: &egui::Context) -> Self {
+        let for_search = ctx.clone();
+        let wake: Wake = Arc::new(move || for_search.request_repaint());
+        let (authoring, failure) = match Authoring::new(source, wake) {
+            Ok(authoring) => (Some(authoring), None),
+            Err(sentence) => (None, Some(sentence)),
         };
         Self {
-            solving,
-            rounds,
             authoring,
-            is_new_question: true,
+            failure,
+            dressing: Dressing::default(),
             takes: Vec::new(),
             shown: None,
             shown_before: None,
-            unmet: Vec::new(),
-            solved_in_secs: None,
             clips: Vec::new(),
             marks: Vec::new(),
             player: Player::default(),
@@ -95,78 +87,85 @@ impl EditorState {
         std::mem::take(&mut self.commands)
     }
 
-    /// Takes in what the worker has done.
-    pub fn drain(&mut self) {
-        if let Some(outcome) = self.solving.poll() {
-            self.accept(outcome);
-        }
-    }
-
-    /// What was found first for a question is shown. Better takes come beside it later: what is
-    /// looked at never changes by itself.
-    fn accept(&mut self, outcome: Outcome) {
-        let kept = self.shown_take().cloned().filter(|_| !self.is_new_question);
-        let is_first = self.takes.is_empty();
-        self.takes = outcome.takes;
-        self.clips = outcome.clips;
-        self.unmet = outcome.unmet;
-        self.solved_in_secs = Some(outcome.seconds);
-        (self.shown, self.shown_before) = (None, None);
-        let mut show = 0;
-        if let Some(kept) = kept {
-            let same = |take: &Take| take.lane.pieces == kept.lane.pieces;
-            show = self.takes.iter().position(same).unwrap_or_else(|| {
-                let dearer = |take: &Take| take.lane.score > kept.lane.score;
-                let at = self.takes.iter().position(dearer).unwrap_or(self.takes.len());
-                self.takes.insert(at, kept);
-                at
-            });
-        }
-        for (take, number) in self.takes.iter_mut().zip(1..) {
-            take.number = number;
-            take.set_theme(self.settings.theme);
-        }
-        self.is_new_question = false;
-        self.refresh_marks();
-        self.show_take(show);
-        if is_first {
-            // A first look needs no key.
-            self.player.play();
-        }
-    }
-
-    /// Asks the worker anew where the project asks for something else than before, and shows what
-    /// is asked now. To be called after every change.
-    pub fn after_edit(&mut self) {
-        self.refresh_marks();
+    /// Takes in what the search has found; never waits.
+    pub fn drain(&mut self, dt_secs: f64) {
         let Some(authoring) = &mut self.authoring else { return };
-        if let Some(project) = authoring.to_be_solved() {
-            self.solving = begin(project, authoring, self.rounds, &self.wake);
-            self.is_new_question = true;
-            // Said of what was asked before.
-            self.unmet.clear();
+        let polled = authoring.session.poll(dt_secs);
+        let remarks = authoring.session.take_remarks();
+        if let Some(last) = remarks.into_iter().next_back() {
+            authoring.refusal = Some(last);
+        }
+        let Some(library) = authoring.session.library() else { return };
+        let ctx = self.wake.clone();
+        let had_takes = !self.takes.is_empty();
+        let Some(dress) = self.dressing.poll(library, move || ctx.request_repaint()) else {
+            return;
+        };
+        if polled.library || self.clips.is_empty() {
+            self.clips = clip_lines(library);
+        }
+        if polled.snapshot || !had_takes {
+            let session = &authoring.session;
+            self.takes = takes_of(session, dress, self.settings.theme, &self.takes);
+            let shown = session.shown_of(CharacterIdx(0)).map(|shown| shown.take.id);
+            self.shown = self.takes.iter().position(|take| Some(take.id) == shown);
+            if let Some(take) = self.shown.and_then(|shown| self.takes.get(shown)) {
+                self.player.set_motion(take.n_frames(), take.fps);
+                if !had_takes {
+                    // A first look needs no key.
+                    self.player.play();
+                }
+            }
+            self.after_edit();
         }
     }
 
-    /// Has all takes show the constraints as they are now; misses only where they are still true.
-    fn refresh_marks(&mut self) {
+    /// Has what is shown say what the document says. To be called after every change.
+    pub fn after_edit(&mut self) {
         let Some(authoring) = &self.authoring else { return };
-        let is_stale = authoring.is_stale() || self.is_new_question;
         for take in &mut self.takes {
+            let n = take.stage.actors.len();
+            take.stage.roles.resize_with(n, Default::default);
             for (nth, role) in take.stage.roles.iter_mut().enumerate() {
                 role.constraints = authoring.constraints(nth).to_vec();
                 role.misses.clear();
             }
-            if let Some(role) = take.stage.roles.first_mut().filter(|_| !is_stale) {
+            if let Some(role) = take.stage.roles.first_mut().filter(|_| !take.is_stale) {
                 role.misses = take.lane.misses.clone();
             }
         }
-        self.marks = marks_of(authoring, self.shown_take().filter(|_| !is_stale));
+        let shown = self.shown.and_then(|shown| self.takes.get(shown));
+        self.marks = marks_of(authoring, shown.filter(|take| !take.is_stale));
     }
 
-    /// Whether the worker is busy.
-    pub fn is_working(&self) -> bool {
-        matches!(self.solving.stage, Stage::Working(..))
+    /// Where the search stands.
+    pub fn search_state(&self) -> SearchState {
+        match (&self.authoring, &self.failure) {
+            (Some(authoring), _) => authoring.session.state(),
+            (None, failure) => SearchState::Error(failure.clone().unwrap_or_default()),
+        }
+    }
+
+    /// Why there is nothing to be found.
+    pub fn failure(&self) -> Option<String> {
+        match self.search_state() {
+            SearchState::Infeasible(sentence) | SearchState::Error(sentence) => Some(sentence),
+            _ => None,
+        }
+    }
+
+    /// Sentences on what is asked and not considered, or cannot be.
+    pub fn remarks(&self) -> &[String] {
+        let session = self.authoring.as_ref().map(|authoring| &authoring.session);
+        let first = session.and_then(|session| session.snapshot().character(CharacterIdx(0)));
+        first.map_or(&[], |character| character.remarks.as_slice())
+    }
+
+    /// By how much a take is better than the shown one, percent.
+    pub fn better_percent(&self) -> Option<f32> {
+        let session = &self.authoring.as_ref()?.session;
+        let better = session.snapshot().character(CharacterIdx(0))?.better.as_ref()?;
+        Some(better.by_percent)
     }
 
     /// The take that is shown.
@@ -183,15 +182,21 @@ impl EditorState {
         Some((nth + 1, &self.marks[nth]))
     }
 
-    /// Shows the take number `nth`, from 0, at the same frame.
-    pub fn show_take(&mut self, nth: usize) {
+    /// Shows the take number `nth`, from 0, at the same frame, from now on.
+    pub fn pick_take(&mut self, nth: usize) {
         let Some(take) = self.takes.get(nth) else { return };
-        self.player.set_motion(take.n_frames(), take.fps);
-        if self.shown != Some(nth) {
-            self.shown_before = self.shown;
-            self.shown = Some(nth);
+        if self.shown == Some(nth) {
+            return;
         }
-        self.refresh_marks();
+        self.shown_before = self.shown_take().map(|take| take.id);
+        let (id, n_frames, fps) = (take.id, take.n_frames(), take.fps);
+        self.player.set_motion(n_frames, fps);
+        // The search hears of it and answers in a later snapshot; the eye need not wait.
+        self.shown = Some(nth);
+        if let Some(authoring) = &mut self.authoring {
+            authoring.session.pick(CharacterIdx(0), id);
+        }
+        self.after_edit();
     }
 
     /// Frames at which something happens: ends, checkpoints, cuts.
@@ -236,8 +241,12 @@ impl EditorState {
             C::Slower => self.player.change_speed(false),
             C::Faster => self.player.change_speed(true),
             C::NormalSpeed => self.player.set_speed(1.0),
-            C::ShowTake(n) => self.show_take(usize::from(n).saturating_sub(1)),
-            C::FlipTakes => self.shown_before.into_iter().for_each(|nth| self.show_take(nth)),
+            C::ShowTake(n) => self.pick_take(usize::from(n).saturating_sub(1)),
+            C::FlipTakes => {
+                let before = self.shown_before;
+                let nth = self.takes.iter().position(|take| Some(take.id) == before);
+                nth.into_iter().for_each(|nth| self.pick_take(nth));
+            }
             C::Follow => flip(&mut settings.follow),
             C::Trail => flip(&mut settings.trail),
             C::Ghosts => flip(&mut settings.ghosts),
@@ -251,12 +260,7 @@ impl EditorState {
                     Navigation::Industry => Navigation::Blender,
                 }
             }
-            C::SolveAgain => {
-                if let Some(authoring) = &mut self.authoring {
-                    self.solving = start(authoring, self.rounds, &self.wake);
-                    self.is_new_question = true;
-                }
-            }
+            C::Save | C::PauseSearch | C::Shake | C::FollowBest => self.search(command),
             C::Undo | C::Redo | C::Delete => self.edit(command),
             C::SelectTool => {
                 let cancelled = self.authoring.as_mut().is_some_and(Authoring::cancel);
@@ -270,6 +274,21 @@ impl EditorState {
             _ => return false,
         }
         true
+    }
+
+    fn search(&mut self, command: UiCommand) {
+        let Some(authoring) = &mut self.authoring else { return };
+        let search = authoring.session.search();
+        match command {
+            UiCommand::PauseSearch if search.is_paused() => search.resume(),
+            UiCommand::PauseSearch => search.pause(),
+            UiCommand::Shake => search.shake(),
+            UiCommand::FollowBest => {
+                self.settings.follow_best = !self.settings.follow_best;
+                search.follow_best(self.settings.follow_best);
+            }
+            _ => authoring.save(),
+        }
     }
 
     fn edit(&mut self, command: UiCommand) {
@@ -303,21 +322,6 @@ impl EditorState {
         self.takes.iter_mut().for_each(|take| take.set_theme(theme));
         crate::theme::choose(&self.wake, theme);
     }
-}
-
-fn start(authoring: &mut Authoring, rounds: &'static [u64], ctx: &egui::Context) -> Solving {
-    let project = authoring.project_to_solve();
-    begin(project, authoring, rounds, ctx)
-}
-
-fn begin(
-    project: Project,
-    authoring: &Authoring,
-    rounds: &'static [u64],
-    ctx: &egui::Context,
-) -> Solving {
-    let ctx = ctx.clone();
-    Solving::start(project, authoring.path.clone(), rounds, move || ctx.request_repaint())
 }
 
 fn marks_of(authoring: &Authoring, shown: Option<&Take>) -> Vec<Mark> {

@@ -1,16 +1,21 @@
 //! A motion that was found, with everything the window shows of it.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use motion_core::contacts::{self, Side};
+use motion_core::motion::Motion;
 use motion_scene::color::Theme;
 use motion_session::ConstraintReport;
+use motion_session::document::TakeId;
 use motion_session::stage::Stage;
 use motion_session::stage::cast::look_of;
 
 /// A motion of every character, and how it came about.
 #[derive(Clone, Debug)]
 pub struct Take {
+    /// Stable under edits.
+    pub id: TakeId,
     /// From 1, the best.
     pub number: usize,
     /// The characters in it, with what they must meet.
@@ -19,6 +24,10 @@ pub struct Take {
     pub fps: f64,
     /// How the first character's motion is made and judged.
     pub lane: Lane,
+    /// The motion as it was made.
+    pub motion: Arc<Motion>,
+    /// Whether it was made for other constraints than the present ones.
+    pub is_stale: bool,
 }
 
 /// What the timeline says of one character's motion.
@@ -27,7 +36,7 @@ pub struct Lane {
     /// The sum of the terms, in units of one tolerance squared.
     pub score: f64,
     /// Its parts, in the order of [`TERMS`].
-    pub terms: [f64; 6],
+    pub terms: [f64; 4],
     /// What is shown, in order.
     pub pieces: Vec<Piece>,
     /// Where one piece goes over into the next.
@@ -41,7 +50,7 @@ pub struct Lane {
 }
 
 /// What a score is made of.
-pub const TERMS: [&str; 6] = ["Cuts", "Length", "Body", "Joints", "Style", "Surroundings"];
+pub const TERMS: [&str; 4] = ["Cuts", "Length", "Body", "Surroundings"];
 
 /// Frames of a clip in a motion.
 #[derive(Clone, Debug, PartialEq)]

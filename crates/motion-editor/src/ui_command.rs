@@ -3,6 +3,8 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
+use motion_session::live::SearchState;
+
 use crate::settings::Tool;
 use crate::state::EditorState;
 
@@ -79,8 +81,14 @@ pub enum UiCommand {
     Theme,
     /// Whose mouse buttons move the camera.
     Navigation,
-    /// Searches again.
-    SolveAgain,
+    /// Saves to the project's own file.
+    Save,
+    /// Pauses the search or lets it go on.
+    PauseSearch,
+    /// Searches from other seeds, too.
+    Shake,
+    /// Always shows the best take.
+    FollowBest,
     /// All commands.
     Palette,
     /// All keys.
@@ -100,7 +108,8 @@ const fn with(modifiers: Modifiers, key: Key) -> Option<KeyboardShortcut> {
 impl UiCommand {
     /// Every command, in the order of menus.
     pub fn all() -> Vec<Self> {
-        let mut all = vec![Self::SolveAgain, Self::Quit, Self::Undo, Self::Redo, Self::Delete];
+        let mut all = vec![Self::Save, Self::Quit, Self::Undo, Self::Redo, Self::Delete];
+        all.extend([Self::PauseSearch, Self::Shake, Self::FollowBest]);
         all.extend([Self::SelectTool, Self::CheckpointTool]);
         all.extend([
             Self::PlayPause,
@@ -170,7 +179,10 @@ impl UiCommand {
             Self::Timeline => "Timeline panel",
             Self::Theme => "Dark or light",
             Self::Navigation => "Blender or Industry navigation",
-            Self::SolveAgain => "Search again",
+            Self::Save => "Save",
+            Self::PauseSearch => "Pause or resume the search",
+            Self::Shake => "Shake the search",
+            Self::FollowBest => "Follow the best take",
             Self::Palette => "Find a command…",
             Self::ShortcutSheet => "Keyboard shortcuts",
             Self::Quit => "Quit",
@@ -211,7 +223,10 @@ impl UiCommand {
             Self::Navigation => {
                 "Blender: middle button orbits. Industry: Alt with the left, middle, right button"
             }
-            Self::SolveAgain => "Reads the project again and searches anew",
+            Self::Save => "Writes the project to its own file",
+            Self::PauseSearch => "What was found stays",
+            Self::Shake => "Searches from other beginnings; what was found stays",
+            Self::FollowBest => "Shows a better take as soon as there is one",
             Self::Palette => "Every command by its name",
             Self::ShortcutSheet => "Every key on one sheet",
             Self::Quit => "Closes the window",
@@ -264,7 +279,10 @@ impl UiCommand {
             Self::Palette => with(Modifiers::CTRL, Key::P),
             Self::ShortcutSheet => key(Key::F1),
             Self::Quit => with(Modifiers::CTRL, Key::Q),
-            Self::SolveAgain => with(Modifiers::CTRL, Key::Enter),
+            Self::Save => with(Modifiers::CTRL, Key::S),
+            Self::PauseSearch => with(Modifiers::CTRL, Key::Enter),
+            Self::Shake => with(Modifiers::CTRL.plus(Modifiers::SHIFT), Key::Enter),
+            Self::FollowBest => None,
             Self::Trail
             | Self::Ghosts
             | Self::LeftPanel
@@ -303,7 +321,7 @@ impl UiCommand {
         match self {
             Self::ShowTake(n) => usize::from(n) <= state.takes.len(),
             Self::FlipTakes => state.shown_before.is_some(),
-            Self::SolveAgain => !state.is_working(),
+            Self::Save => state.authoring.as_ref().is_some_and(|a| a.session.path().is_some()),
             Self::Undo => state.authoring.as_ref().is_some_and(|a| a.can_undo_redo().0),
             Self::Redo => state.authoring.as_ref().is_some_and(|a| a.can_undo_redo().1),
             Self::Delete => state.selected_mark().is_some(),
@@ -329,6 +347,8 @@ impl UiCommand {
             Self::SelectTool => state.settings.tool == Tool::Select,
             Self::CheckpointTool => state.settings.tool == Tool::Checkpoint,
             Self::Follow => state.settings.follow,
+            Self::FollowBest => state.settings.follow_best,
+            Self::PauseSearch => state.search_state() == SearchState::Paused,
             Self::Trail => state.settings.trail,
             Self::Ghosts => state.settings.ghosts,
             Self::LeftPanel => state.settings.left_open,

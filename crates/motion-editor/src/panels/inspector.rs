@@ -20,10 +20,11 @@ pub fn inspector_ui(ui: &mut Ui, state: &EditorState) {
         heading_ui(ui, "Inspector", "");
         empty_ui(ui, "Click a checkpoint, in the view or on the timeline");
     }
-    if !state.unmet.is_empty() {
+    let remarks = state.remarks();
+    if !remarks.is_empty() {
         ui.add_space(2.0 * theme::GRID);
         heading_ui(ui, "What could not be met", "");
-        for sentence in &state.unmet {
+        for sentence in remarks {
             empty_ui(ui, sentence);
         }
     }

@@ -4,11 +4,12 @@ use egui::{Align2, Pos2, Rect, Role, Sense, Stroke, StrokeKind, Ui, Vec2, Widget
 use motion_scene::color::ColorRole;
 
 use super::{empty_ui, heading_ui};
-use crate::solving::Stage;
 use crate::state::EditorState;
 use crate::take::{Mark, TERMS, Take};
 use crate::theme;
 
+/// A bar is full at so many times the best take's cost.
+const FULL_BAR: f64 = 4.0;
 /// A card, points.
 const CARD_PT: f32 = 64.0;
 
@@ -22,19 +23,22 @@ pub fn takes_ui(ui: &mut Ui, state: &mut EditorState) {
     };
     heading_ui(ui, "Takes", &beside);
     if n == 0 {
-        match &state.solving.stage {
-            Stage::Working(..) => empty_ui(ui, "The first takes stand here in a few seconds"),
-            Stage::Done | Stage::Failed(_) => empty_ui(ui, "No take meets the constraints"),
+        match state.failure() {
+            None => empty_ui(ui, "The first takes stand here in a few seconds"),
+            Some(_) => empty_ui(ui, "No take meets the constraints"),
         }
     }
+    // Bars fill at some times the best: beyond that it does not matter how bad a take is.
+    let best = state.takes.first().map_or(0.0, |take| take.lane.score);
     let worst = state.takes.iter().map(|take| take.lane.score).fold(f64::MIN_POSITIVE, f64::max);
+    let worst = worst.min((FULL_BAR * best).max(1.0));
     let mut clicked = None;
     for (nth, take) in state.takes.iter().enumerate() {
         if card_ui(ui, take, &state.marks, worst, state.shown == Some(nth)) {
             clicked = Some(nth);
         }
     }
-    clicked.into_iter().for_each(|nth| state.show_take(nth));
+    clicked.into_iter().for_each(|nth| state.pick_take(nth));
 }
 
 fn card_ui(ui: &mut Ui, take: &Take, marks: &[Mark], worst: f64, is_shown: bool) -> bool {
@@ -69,7 +73,7 @@ fn card_ui(ui: &mut Ui, take: &Take, marks: &[Mark], worst: f64, is_shown: bool)
         1 => "1 cut".to_owned(),
         n => format!("{n} cuts"),
     };
-    let slide = lane.foot_slide_cm_per_s.map(|cm| format!(" · feet slide {cm:.1} cm/s"));
+    let slide = lane.foot_slide_cm_per_s.map(|cm| format!(" · slide {cm:.1} cm/s"));
     let about = format!("{} frames · {cuts}{}", take.n_frames(), slide.unwrap_or_default());
     text(left, 34.0, Align2::LEFT_CENTER, about, theme::caption(), palette.faint);
     let bar = Rect::from_x_y_ranges(left..=right, rect.top() + 48.0..=rect.top() + 53.0);
@@ -84,7 +88,7 @@ fn card_ui(ui: &mut Ui, take: &Take, marks: &[Mark], worst: f64, is_shown: bool)
 }
 
 /// What a cost is made of, as wide as it is high beside the worst.
-pub fn cost_bar_ui(ui: &Ui, bar: Rect, terms: [f64; 6], worst: f64) {
+pub fn cost_bar_ui(ui: &Ui, bar: Rect, terms: [f64; 4], worst: f64) {
     let palette = theme::of(ui);
     ui.painter().rect_filled(bar, 2.0, palette.base);
     let mut left = bar.left();
@@ -101,16 +105,9 @@ pub fn cost_bar_ui(ui: &Ui, bar: Rect, terms: [f64; 6], worst: f64) {
 }
 
 /// The colours of [`TERMS`]: those of the things they speak of.
-pub fn term_colors(palette: &theme::Palette) -> [egui::Color32; 6] {
+pub fn term_colors(palette: &theme::Palette) -> [egui::Color32; 4] {
     let role = |role| theme::role(role, palette.theme);
-    [
-        palette.faint,
-        palette.text,
-        role(ColorRole::Checkpoint),
-        role(ColorRole::JointTarget),
-        role(ColorRole::Style),
-        role(ColorRole::Obstacle),
-    ]
+    [palette.faint, palette.text, role(ColorRole::Checkpoint), role(ColorRole::Obstacle)]
 }
 
 /// The way over the floor from above, with the checkpoints: what tells takes apart at a glance.

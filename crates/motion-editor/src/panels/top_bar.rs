@@ -1,9 +1,9 @@
 //! Menus, the name of the project, and how the search stands.
 
 use egui::{Align, Button, Layout, MenuBar, RichText, Sense, Ui, Vec2};
+use motion_session::live::SearchState;
 
 use crate::icons;
-use crate::solving::Stage;
 use crate::state::EditorState;
 use crate::theme;
 use crate::ui_command::UiCommand as C;
@@ -13,7 +13,7 @@ use crate::widgets::icon_button::icon_button_ui;
 /// Menus: a name, and groups of commands with a line between them.
 fn menus() -> [(&'static str, Vec<Vec<C>>); 6] {
     [
-        ("File", vec![vec![C::Quit]]),
+        ("File", vec![vec![C::Save], vec![C::Quit]]),
         (
             "Edit",
             vec![vec![C::Undo, C::Redo], vec![C::Delete], vec![C::SelectTool, C::CheckpointTool]],
@@ -35,7 +35,14 @@ fn menus() -> [(&'static str, Vec<Vec<C>>); 6] {
                 vec![C::Theme, C::Navigation],
             ],
         ),
-        ("Takes", vec![(1..=4).map(C::ShowTake).collect(), vec![C::FlipTakes, C::SolveAgain]]),
+        (
+            "Takes",
+            vec![
+                (1..=4).map(C::ShowTake).collect(),
+                vec![C::FlipTakes],
+                vec![C::PauseSearch, C::Shake, C::FollowBest],
+            ],
+        ),
         ("Help", vec![vec![C::Palette, C::ShortcutSheet]]),
     ]
 }
@@ -68,7 +75,9 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
             ui.add_space(3.0 * theme::GRID);
             let faint = theme::of(ui).faint;
             if let Some(authoring) = &state.authoring {
-                ui.label(RichText::new(authoring.document().name()).color(faint));
+                let changed = if authoring.session.is_changed() { " •" } else { "" };
+                let name = format!("{}{changed}", authoring.document().name());
+                ui.label(RichText::new(name).color(faint));
             }
         });
     });
@@ -111,25 +120,29 @@ fn workspace_ui(ui: &mut Ui) {
 fn chip_ui(ui: &mut Ui, state: &EditorState) {
     let palette = theme::of(ui);
     let miss = theme::role(motion_scene::color::ColorRole::Miss, palette.theme);
-    let (icon, color, text) = match &state.solving.stage {
-        Stage::Working(what, share) => {
-            let what = if what.starts_with("search") { "Searching" } else { "Preparing" };
-            (icons::WORKING, palette.accent, format!("{what} · {:.0} %", share * 100.0))
+    let best = state.takes.first().map_or(0.0, |take| take.lane.score);
+    let n = state.takes.len();
+    let found = if n == 0 { String::new() } else { format!(" · best {best:.2} · {n} takes") };
+    let better = state.better_percent();
+    let better = better.map(|percent| format!(" · better: −{percent:.0} %")).unwrap_or_default();
+    let search = state.search_state();
+    let (icon, color, text) = match &search {
+        SearchState::NoGraph | SearchState::Ready => {
+            (icons::WORKING, palette.accent, "Preparing".to_owned())
         }
-        Stage::Done => {
-            let best = state.takes.first().map_or(0.0, |take| take.lane.score);
-            let secs = state.solved_in_secs.unwrap_or_default();
-            let n = state.takes.len();
-            (
-                icons::DONE,
-                palette.faint,
-                format!("Settled · best {best:.2} · {n} takes · {secs:.1} s"),
-            )
+        SearchState::Building { share, .. } => {
+            (icons::WORKING, palette.accent, format!("Reading · {:.0} %", share * 100.0))
         }
-        Stage::Failed(_) => (icons::ALERT, miss, "No motion".to_owned()),
+        SearchState::Searching => {
+            (icons::WORKING, palette.accent, format!("Searching{found}{better}"))
+        }
+        SearchState::Paused => (icons::PAUSE, palette.faint, format!("Paused{found}{better}")),
+        SearchState::Settled => (icons::DONE, palette.faint, format!("Settled{found}{better}")),
+        SearchState::Infeasible(_) => (icons::ALERT, miss, format!("Cannot be met{found}")),
+        SearchState::Error(_) => (icons::ALERT, miss, "No search".to_owned()),
     };
     let response = ui.label(RichText::new(text).font(theme::caption()).color(palette.text));
-    if let Stage::Failed(sentence) = &state.solving.stage {
+    if let SearchState::Infeasible(sentence) | SearchState::Error(sentence) = &search {
         response.on_hover_text(sentence);
     }
     let (place, _) = ui.allocate_exact_size(Vec2::splat(theme::ICON), Sense::hover());

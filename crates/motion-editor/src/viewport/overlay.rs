@@ -1,9 +1,9 @@
 //! Words over the view: what is shown, and what the mouse does.
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, Ui, Vec2};
+use motion_session::live::SearchState;
 
 use crate::settings::Navigation;
-use crate::solving::Stage;
 use crate::state::EditorState;
 use crate::theme;
 use crate::widgets::digits::tabular;
@@ -44,12 +44,14 @@ pub fn overlay_ui(ui: &Ui, rect: Rect, state: &EditorState, fps: Option<f32>) {
 /// In the middle, while there is nothing to be seen.
 fn waiting_ui(ui: &Ui, rect: Rect, state: &EditorState) {
     let palette = theme::of(ui);
-    let (first, second) = match &state.solving.stage {
-        Stage::Working(what, share) => {
-            ("Searching for a motion…".to_owned(), format!("{what} · {:.0} %", share * 100.0))
+    let (first, second) = match state.search_state() {
+        SearchState::Building { what, share } => {
+            ("Reading the library…".to_owned(), format!("{what} · {:.0} %", share * 100.0))
         }
-        Stage::Failed(sentence) => ("No motion".to_owned(), sentence.clone()),
-        Stage::Done => ("No motion was found".to_owned(), state.unmet.join("; ")),
+        SearchState::Infeasible(sentence) | SearchState::Error(sentence) => {
+            ("No motion".to_owned(), sentence)
+        }
+        _ => ("Searching for a motion…".to_owned(), String::new()),
     };
     let middle = rect.center();
     ui.painter().text(middle, Align2::CENTER_BOTTOM, first, theme::title(), palette.text);

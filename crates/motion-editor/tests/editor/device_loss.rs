@@ -7,7 +7,7 @@ use motion_editor::window::{SavedWork, Window};
 use motion_session::Warnings;
 use motion_session::load_project;
 
-use crate::window::{ROUNDS, can_draw};
+use crate::window::can_draw;
 
 #[test]
 fn work_is_saved_when_the_device_goes() {
@@ -19,7 +19,7 @@ fn work_is_saved_when_the_device_goes() {
     let builder = Harness::builder().with_size(egui::Vec2::new(1000.0, 700.0)).wgpu();
     let of_window = saved.clone();
     let mut harness = builder.build_eframe(move |cc| {
-        Window::new(EditorApp::new(cc, &ProjectSource::Sample, ROUNDS), of_window)
+        Window::new(EditorApp::new(cc, &ProjectSource::Sample), of_window)
     });
     harness.step();
     let window = harness.state_mut();

@@ -8,9 +8,6 @@ use motion_editor::app::EditorApp;
 use motion_editor::project_source::ProjectSource;
 use motion_render::gpu::{AdapterChoice, Gpu};
 
-/// Enough for two takes.
-pub(crate) const ROUNDS: &[u64] = &[12];
-
 /// Whether anything can draw here; says a line where nothing can (and fails where
 /// `GAITWAY_REQUIRE_GPU` is 1).
 pub(crate) fn can_draw() -> bool {
@@ -27,10 +24,10 @@ pub(crate) fn open() -> Option<Harness<'static, EditorApp>> {
         return None;
     }
     let builder = Harness::builder().with_size(Vec2::new(1600.0, 1000.0)).wgpu();
-    Some(builder.build_eframe(|cc| EditorApp::new(cc, &ProjectSource::Sample, ROUNDS)))
+    Some(builder.build_eframe(|cc| EditorApp::new(cc, &ProjectSource::Sample)))
 }
 
-/// The editor once the search has settled, paused at the first frame.
+/// The editor once the search has found something, paused at the first frame.
 pub(crate) fn solved() -> Option<Harness<'static, EditorApp>> {
     let mut harness = open()?;
     settle(&mut harness);
@@ -39,16 +36,34 @@ pub(crate) fn solved() -> Option<Harness<'static, EditorApp>> {
     Some(harness)
 }
 
-/// Goes on until the worker has nothing more to say.
+/// Goes on until there are two takes for what is asked now.
 pub(crate) fn settle(harness: &mut Harness<'_, EditorApp>) {
     /// A search takes a second or two; machines that are busy with other tests are slow.
     const LIMIT: Duration = Duration::from_secs(120);
     let start = Instant::now();
     harness.step();
-    while harness.state().state.is_working() {
-        assert!(start.elapsed() < LIMIT, "the search does not end");
+    loop {
+        let state = &harness.state().state;
+        let is_answered = state.shown_take().is_some_and(|take| !take.is_stale);
+        if state.takes.len() >= 2 && is_answered {
+            break;
+        }
+        assert!(start.elapsed() < LIMIT, "the search finds nothing: {:?}", state.search_state());
         std::thread::sleep(Duration::from_millis(20));
         harness.step();
     }
     harness.run_steps(2);
+}
+
+/// Stops the search, so that nothing changes by itself.
+pub(crate) fn quiet(harness: &mut Harness<'_, EditorApp>) {
+    let state = &mut harness.state_mut().state;
+    if let Some(authoring) = &mut state.authoring {
+        authoring.session.search().pause();
+    }
+    // What was under way comes in.
+    for _ in 0..10 {
+        std::thread::sleep(Duration::from_millis(50));
+        harness.step();
+    }
 }

@@ -1,13 +1,16 @@
 //! The window, frame by frame: take in news, do commands, lay out panels.
 
+use std::time::Duration;
+
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
+
+use motion_session::session::SessionError;
 
 use crate::command_palette::CommandPalette;
 use crate::panels::library::LibraryPanel;
 use crate::panels::{inspector, status, takes, top_bar};
-use crate::project_source::ProjectSource;
 use crate::shortcut_sheet::shortcut_sheet_ui;
-use crate::state::EditorState;
+use crate::state::{EditorOptions, EditorState};
 use crate::theme;
 use crate::timeline::TimelinePanel;
 use crate::ui_command::{UiCommand, pressed};
@@ -26,19 +29,22 @@ pub struct EditorApp {
 }
 
 impl EditorApp {
-    /// Opens a project and begins to solve it.
-    pub fn new(cc: &eframe::CreationContext<'_>, source: &ProjectSource) -> Self {
+    /// Opens a project and begins to search. Fails only where the system has no thread to give.
+    pub fn new(
+        cc: &eframe::CreationContext<'_>,
+        options: EditorOptions,
+    ) -> Result<Self, SessionError> {
         theme::install(&cc.egui_ctx);
-        let state = EditorState::new(source, &cc.egui_ctx);
+        let state = EditorState::new(options, &cc.egui_ctx)?;
         theme::choose(&cc.egui_ctx, state.settings.theme);
-        Self {
+        Ok(Self {
             state,
             viewport: ViewportPanel::new(cc.wgpu_render_state.as_ref(), &cc.egui_ctx),
             timeline: TimelinePanel::default(),
             library: LibraryPanel::default(),
             palette: CommandPalette::default(),
             sheet_is_open: false,
-        }
+        })
     }
 
     fn do_commands(&mut self, ctx: &egui::Context) {
@@ -62,6 +68,20 @@ impl EditorApp {
                 UiCommand::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
                 other => self.viewport.run(other),
             }
+        }
+    }
+
+    /// Has the next frame come in time, though nobody touches anything.
+    fn wake_again(&mut self, ctx: &egui::Context, dt_secs: f64) {
+        if self.state.is_playing() {
+            ctx.request_repaint();
+        }
+        let word_ends = self.state.notices.advance(dt_secs);
+        // An autosave comes due.
+        let at_risk = self.state.session.is_changed().then_some(1.0);
+        let next_secs = word_ends.into_iter().chain(at_risk).reduce(f64::min);
+        if let Some(secs) = next_secs {
+            ctx.request_repaint_after(Duration::from_secs_f64(secs.max(0.05)));
         }
     }
 
@@ -122,16 +142,13 @@ impl eframe::App for EditorApp {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         let dt_secs = f64::from(ctx.input(|input| input.unstable_dt));
-        self.state.drain(dt_secs);
+        self.state.poll(dt_secs);
         self.do_commands(&ctx);
-        if self.state.player.is_playing() {
-            self.state.player.advance(f64::from(ctx.input(|input| input.unstable_dt)));
-            ctx.request_repaint();
-        }
         self.panels_ui(ui);
         if let Some(command) = self.palette.ui(ui, &self.state) {
             self.state.ask(command);
         }
         shortcut_sheet_ui(ui, &mut self.sheet_is_open);
+        self.wake_again(&ctx, dt_secs);
     }
 }

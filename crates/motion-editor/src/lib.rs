@@ -1,8 +1,8 @@
 //! The window in which an animator authors a motion.
 //!
 //! [`run::run`] opens it; [`app::EditorApp`] is all of it but the window, so that tests can drive
-//! it. A frame goes from top to bottom: [`state::EditorState`] takes in what the worker has done
-//! ([`solving`]), does the commands that were asked for ([`ui_command::UiCommand`]), and panels draw
+//! it. A frame goes from top to bottom: [`state::EditorState`] takes in what threads have done,
+//! does the commands that were asked for ([`ui_command::UiCommand`]), and panels draw
 //! it and ask for more. Panels change nothing but the state, and through it alone.
 //!
 //! Nothing is computed here that takes long: the search runs on a thread of the session's, the picture is
@@ -14,12 +14,12 @@ pub mod window;
 
 pub mod state;
 
-pub mod authoring;
-pub mod player;
+pub mod clip_line;
+pub mod mark;
+pub mod notices;
 pub mod project_source;
 pub mod settings;
-pub mod solving;
-pub mod take;
+pub mod take_card;
 pub mod ui_command;
 
 pub mod command_palette;

@@ -1,8 +1,8 @@
 //! Where a project comes from.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use motion_session::{Project, Warnings, load_project, sample};
+use motion_session::{Session, Warnings, load_project};
 
 /// The project that is opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,20 +20,30 @@ pub enum ProjectSource {
     },
 }
 
+/// A project was opened.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Opened {
+    /// What is odd about it.
+    pub remarks: Vec<String>,
+}
+
 impl ProjectSource {
-    /// Reads it; fails with a sentence. The path is the one that messages name.
-    pub fn read(&self, warnings: &mut Warnings) -> Result<(Project, PathBuf), String> {
+    /// Opens it in the place of the session's project, or fails with a sentence and changes nothing.
+    pub fn open_in(&self, session: &mut Session) -> Result<Opened, String> {
         let said = |error: motion_session::FileError| error.to_string();
         match self {
-            Self::Sample => {
-                let path = Path::new(sample::FILE_NAME).to_owned();
-                Ok((sample::sample().map_err(said)?, path))
+            // What a session begins with.
+            Self::Sample => Ok(Opened::default()),
+            Self::File(path) => {
+                session.open(path).map_err(said)?;
+                Ok(Opened::default())
             }
-            Self::File(path) => Ok((load_project(path, warnings).map_err(said)?, path.clone())),
             Self::Recovered { work, project } => {
-                let sample = || Path::new(sample::FILE_NAME).to_owned();
-                let path = project.clone().unwrap_or_else(sample);
-                Ok((load_project(work, warnings).map_err(said)?, path))
+                let mut warnings = Warnings::new();
+                let saved = load_project(work, &mut warnings).map_err(said)?;
+                session.go_on_with(&saved, project.as_deref()).map_err(said)?;
+                let remarks = warnings.as_slice().iter().map(ToString::to_string).collect();
+                Ok(Opened { remarks })
             }
         }
     }

@@ -8,7 +8,7 @@ use egui::ViewportBuilder;
 use egui_wgpu::{WgpuSetup, WgpuSetupCreateNew, wgpu};
 
 use crate::app::EditorApp;
-use crate::project_source::ProjectSource;
+use crate::state::EditorOptions;
 use crate::window::{SavedWork, Window};
 
 /// Why there is no window.
@@ -32,16 +32,16 @@ pub enum Closed {
 }
 
 /// Opens the editor and returns when its window is closed, or went down with its device.
-pub fn run(source: ProjectSource) -> Result<Closed, OpenError> {
+pub fn run(editor: EditorOptions) -> Result<Closed, OpenError> {
     let saved = SavedWork::default();
-    let opened = catch_unwind(AssertUnwindSafe(|| open(source, saved.clone())));
+    let opened = catch_unwind(AssertUnwindSafe(|| open(editor, saved.clone())));
     if let Some(path) = saved.take() {
         return Ok(Closed::DeviceLost(path));
     }
     opened.unwrap_or_else(|panic| resume_unwind(panic)).map(|()| Closed::ByUser)
 }
 
-fn open(source: ProjectSource, saved: SavedWork) -> Result<(), OpenError> {
+fn open(editor: EditorOptions, saved: SavedWork) -> Result<(), OpenError> {
     let mut setup = WgpuSetupCreateNew::without_display_handle();
     setup.device_descriptor = Arc::new(|adapter| wgpu::DeviceDescriptor {
         label: Some("gaitway"),
@@ -58,7 +58,7 @@ fn open(source: ProjectSource, saved: SavedWork) -> Result<(), OpenError> {
     };
     options.wgpu_options.wgpu_setup = WgpuSetup::CreateNew(setup);
     let create = Box::new(move |cc: &eframe::CreationContext<'_>| {
-        let app = EditorApp::new(cc, &source);
+        let app = EditorApp::new(cc, editor)?;
         let window: Box<dyn eframe::App> = Box::new(Window::new(app, saved));
         Ok(window)
     });

@@ -52,8 +52,8 @@ fn line_ui(ui: &mut Ui, command: UiCommand) {
         other => other.label(),
     };
     ui.label(label);
-    let keys = command.shortcut().into_iter().chain(command.other_shortcuts().iter().copied());
-    let keys: Vec<String> = keys.map(|key| ui.ctx().format_shortcut(&key)).collect();
+    let keys: Vec<String> =
+        command.shortcuts().iter().map(|key| ui.ctx().format_shortcut(key)).collect();
     ui.label(RichText::new(keys.join("  or  ")).color(theme::of(ui).faint));
     ui.end_row();
 }

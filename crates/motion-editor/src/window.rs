@@ -54,10 +54,8 @@ impl Window {
         if !self.app.viewport.is_device_lost() {
             return false;
         }
-        if !std::mem::replace(&mut self.is_given_up, true)
-            && let Some(authoring) = &self.app.state.authoring
-        {
-            let project = authoring.document().to_project();
+        if !std::mem::replace(&mut self.is_given_up, true) {
+            let project = self.app.state.session.document().to_project();
             let fallback = std::env::temp_dir();
             let saved = save_for_recovery(&project, folder)
                 .or_else(|_| save_for_recovery(&project, &fallback));

@@ -7,6 +7,7 @@ use anyhow::Context as _;
 
 use motion_editor::project_source::ProjectSource;
 use motion_editor::run::{Closed, OpenError, run as open};
+use motion_editor::state::EditorOptions;
 use motion_io::diagnostic::Warnings;
 use motion_io::project_file;
 
@@ -28,7 +29,7 @@ pub(crate) fn run(
         Some(work) => ProjectSource::Recovered { work, project: project.clone() },
         None => project.clone().map_or(ProjectSource::Sample, ProjectSource::File),
     };
-    let closed = open(source).map_err(|error| {
+    let closed = open(EditorOptions::new(source)).map_err(|error| {
         let way_out = match error {
             OpenError::NoDisplay(_) => "use solve and render, which need none",
             OpenError::NoWindow(_) => "install a graphics driver, or use solve and render",

@@ -3,19 +3,20 @@
 use egui::{Align, Layout, RichText, Ui};
 
 use super::{empty_ui, heading_ui, takes};
+use crate::mark::Mark;
 use crate::state::EditorState;
-use crate::take::{Mark, TERMS, Take};
+use crate::take_card::{TERMS, TakeCard};
 use crate::theme;
 use crate::widgets::digits::tabular;
 
 /// The whole panel.
 pub fn inspector_ui(ui: &mut Ui, state: &EditorState) {
-    if let Some((number, mark)) = state.selected_mark() {
-        heading_ui(ui, &format!("Checkpoint {number}"), "");
-        mark_ui(ui, mark, state.player.fps());
-    } else if let Some(take) = state.shown_take() {
+    if let Some(mark) = state.selected_mark() {
+        heading_ui(ui, &mark.title(), "");
+        mark_ui(ui, mark, state.fps());
+    } else if let Some(card) = state.shown_card() {
         heading_ui(ui, "Cost", "1 is 30 cm, 10° or 10 frames off");
-        cost_ui(ui, take);
+        cost_ui(ui, card);
     } else {
         heading_ui(ui, "Inspector", "");
         empty_ui(ui, "Click a checkpoint, in the view or on the timeline");
@@ -31,18 +32,20 @@ pub fn inspector_ui(ui: &mut Ui, state: &EditorState) {
 }
 
 fn mark_ui(ui: &mut Ui, mark: &Mark, fps: f64) {
-    let frame = format!("f {}  ({:.2} s)", mark.frame, mark.frame as f64 / fps);
+    let frame = format!("f {}  ({:.2} s)", mark.frame(), mark.frame() as f64 / fps);
     line_ui(ui, "Frame", &frame);
-    line_ui(ui, "Place", &format!("x {:.2} m   z {:.2} m", mark.at_m[0], mark.at_m[1]));
-    let heading = mark.heading_deg.map_or("any".to_owned(), |deg| format!("{deg:.0}°"));
-    line_ui(ui, "Heading", &heading);
+    if let Some((at_m, heading)) = mark.body() {
+        line_ui(ui, "Place", &format!("x {:.2} m   z {:.2} m", at_m[0], at_m[1]));
+        let heading = heading.map_or("any".to_owned(), |deg| format!("{deg:.0}°"));
+        line_ui(ui, "Heading", &heading);
+    }
     line_ui(ui, "Shown take", &mark.miss_text());
 }
 
-fn cost_ui(ui: &mut Ui, take: &Take) {
+fn cost_ui(ui: &mut Ui, card: &TakeCard) {
     let palette = theme::of(ui);
     let colors = takes::term_colors(&palette);
-    for ((name, term), color) in TERMS.iter().zip(take.lane.terms).zip(colors) {
+    for ((name, term), color) in TERMS.iter().zip(card.terms).zip(colors) {
         if term < 0.005 {
             continue;
         }
@@ -53,7 +56,7 @@ fn cost_ui(ui: &mut Ui, take: &Take) {
             value_ui(ui, &format!("{term:.2}"));
         });
     }
-    line_ui(ui, "In all", &format!("{:.2}", take.lane.score));
+    line_ui(ui, "In all", &format!("{:.2}", card.score));
 }
 
 fn line_ui(ui: &mut Ui, name: &str, value: &str) {

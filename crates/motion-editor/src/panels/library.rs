@@ -3,8 +3,8 @@
 use egui::{Align2, Pos2, RichText, Role, ScrollArea, Sense, TextEdit, Ui, Vec2, WidgetInfo};
 
 use super::{empty_ui, heading_ui};
+use crate::clip_line::ClipLine;
 use crate::icons;
-use crate::solving::ClipLine;
 use crate::state::EditorState;
 use crate::theme;
 
@@ -59,7 +59,7 @@ fn clip_count(n: usize) -> String {
 
 /// Clips of the shown take.
 fn used_clips(state: &EditorState) -> Vec<&str> {
-    let pieces = state.shown_take().map(|take| take.lane.pieces.as_slice());
+    let pieces = state.shown_card().map(|card| card.lane.pieces.as_slice());
     pieces.unwrap_or_default().iter().map(|piece| piece.clip.as_str()).collect()
 }
 

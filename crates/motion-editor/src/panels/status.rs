@@ -22,18 +22,18 @@ pub fn status_ui(ui: &mut Ui, state: &EditorState, adapter: Option<&str>) {
 }
 
 fn hint(state: &EditorState) -> String {
-    if let Some(refusal) = state.authoring.as_ref().and_then(|a| a.refusal.as_ref()) {
-        return refusal.clone();
+    if let Some(notice) = state.notices.current() {
+        return notice.text.clone();
     }
     if state.settings.tool == Tool::Checkpoint {
         return "Press on the floor where the body must be, drag to where it looks · Esc leaves the \
                 tool"
             .to_owned();
     }
-    if let Some((number, mark)) = state.selected_mark() {
-        return format!("Checkpoint {number} at f {}: {}", mark.frame, mark.miss_text());
+    if let Some(mark) = state.selected_mark() {
+        return format!("{} at f {}: {}", mark.title(), mark.frame(), mark.miss_text());
     }
-    match state.shown_take() {
+    match state.shown_card() {
         Some(_) => "Space plays · drag on the ruler to scrub · 1–9 show takes".to_owned(),
         None => String::new(),
     }

@@ -6,46 +6,9 @@ use motion_session::live::SearchState;
 use crate::icons;
 use crate::state::EditorState;
 use crate::theme;
-use crate::ui_command::UiCommand as C;
+use crate::ui_command::{UiCommand as C, menus};
 use crate::viewport::described;
 use crate::widgets::icon_button::icon_button_ui;
-
-/// Menus: a name, and groups of commands with a line between them.
-fn menus() -> [(&'static str, Vec<Vec<C>>); 6] {
-    [
-        ("File", vec![vec![C::Save], vec![C::Quit]]),
-        (
-            "Edit",
-            vec![vec![C::Undo, C::Redo], vec![C::Delete], vec![C::SelectTool, C::CheckpointTool]],
-        ),
-        (
-            "Play",
-            vec![
-                vec![C::PlayPause, C::Loop, C::Slower, C::NormalSpeed, C::Faster],
-                vec![C::StepBack, C::StepAhead, C::SecondBack, C::SecondAhead],
-                vec![C::PreviousStop, C::NextStop, C::ToStart, C::ToEnd],
-            ],
-        ),
-        (
-            "View",
-            vec![
-                vec![C::FrameAll, C::ViewFront, C::ViewLeft, C::ViewTop, C::ViewThreeQuarter],
-                vec![C::Perspective, C::Follow, C::Trail, C::Ghosts],
-                vec![C::LeftPanel, C::RightPanel, C::Timeline, C::FitTimeline],
-                vec![C::Theme, C::Navigation],
-            ],
-        ),
-        (
-            "Takes",
-            vec![
-                (1..=4).map(C::ShowTake).collect(),
-                vec![C::FlipTakes],
-                vec![C::PauseSearch, C::Shake, C::FollowBest],
-            ],
-        ),
-        ("Help", vec![vec![C::Palette, C::ShortcutSheet]]),
-    ]
-}
 
 /// The bar.
 pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
@@ -74,11 +37,9 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
             chip_ui(ui, state);
             ui.add_space(3.0 * theme::GRID);
             let faint = theme::of(ui).faint;
-            if let Some(authoring) = &state.authoring {
-                let changed = if authoring.session.is_changed() { " •" } else { "" };
-                let name = format!("{}{changed}", authoring.document().name());
-                ui.label(RichText::new(name).color(faint));
-            }
+            let changed = if state.session.is_changed() { " •" } else { "" };
+            let name = format!("{}{changed}", state.session.document().name());
+            ui.label(RichText::new(name).color(faint));
         });
     });
 }
@@ -120,11 +81,12 @@ fn workspace_ui(ui: &mut Ui) {
 fn chip_ui(ui: &mut Ui, state: &EditorState) {
     let palette = theme::of(ui);
     let miss = theme::role(motion_scene::color::ColorRole::Miss, palette.theme);
-    let best = state.takes.first().map_or(0.0, |take| take.lane.score);
-    let n = state.takes.len();
+    let best = state.cards.iter().map(|card| card.score).fold(f64::INFINITY, f64::min);
+    let n = state.cards.len();
     let found = if n == 0 { String::new() } else { format!(" · best {best:.2} · {n} takes") };
-    let better = state.better_percent();
-    let better = better.map(|percent| format!(" · better: −{percent:.0} %")).unwrap_or_default();
+    let better = state.better();
+    let better =
+        better.map(|(_, percent)| format!(" · better: −{percent:.0} %")).unwrap_or_default();
     let search = state.search_state();
     let (icon, color, text) = match &search {
         SearchState::NoGraph | SearchState::Ready => {

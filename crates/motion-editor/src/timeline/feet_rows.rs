@@ -9,11 +9,11 @@ use crate::theme;
 
 /// A bar for every plant; left above right.
 pub fn feet_rows_ui(ui: &Ui, rows: [Rect; 2], axis: &Axis, state: &EditorState) {
-    let Some(take) = state.shown_take() else { return };
+    let Some(card) = state.shown_card() else { return };
     let palette = theme::of(ui);
     let planted = theme::role(ColorRole::Planted, palette.theme);
-    let now = state.player.frame_number();
-    for (row, plants) in rows.into_iter().zip(&take.lane.plants) {
+    let now = state.frame_number();
+    for (row, plants) in rows.into_iter().zip(&card.lane.plants) {
         let painter = ui.painter().with_clip_rect(row);
         for plant in plants {
             let (from, to) = (axis.x_of(plant.start as f64), axis.x_of(plant.end as f64));

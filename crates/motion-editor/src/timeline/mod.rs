@@ -40,7 +40,7 @@ impl TimelinePanel {
         let rect = ui.available_rect_before_wrap();
         let rect = rect.with_max_x(rect.right().max(rect.left() + NAMES_PT + 40.0));
         let lanes = rect.with_min_x(rect.left() + NAMES_PT);
-        let axis = self.axis_for(lanes, state.player.n_frames());
+        let axis = self.axis_for(lanes, state.n_frames());
         let ground = ui.allocate_rect(rect, Sense::click_and_drag());
         let painter = ui.painter().with_clip_rect(rect);
         painter.rect_filled(lanes, 0.0, theme::of(ui).base);
@@ -56,7 +56,7 @@ impl TimelinePanel {
         ribbon::ribbon_ui(ui, rows.source, &axis, state);
         body_row::body_row_ui(ui, rows.body, &axis, state);
         feet_rows::feet_rows_ui(ui, rows.feet, &axis, state);
-        if state.shown_take().is_none() {
+        if state.shown_card().is_none() {
             row::empty_ui(ui, lanes, "Clips, checkpoints and feet of the shown take stand here");
         }
         ruler::playhead_ui(ui, lanes, &axis, state);
@@ -84,8 +84,8 @@ impl TimelinePanel {
     fn navigate_ui(&mut self, ui: &Ui, ground: &Response, lanes: Rect, state: &EditorState) {
         let n_frames = self.n_frames;
         let Some(axis) = &mut self.axis else { return };
-        if state.player.is_playing() {
-            axis.reveal(state.player.frame());
+        if state.is_playing() {
+            axis.reveal(state.frame());
         }
         if ground.dragged_by(PointerButton::Middle) {
             axis.pan(ground.drag_delta().x, n_frames);

@@ -5,7 +5,7 @@ use motion_scene::color::ColorRole;
 
 use super::axis::Axis;
 use crate::state::EditorState;
-use crate::take::{Cut, Piece};
+use crate::take_card::{Cut, Piece};
 use crate::theme;
 
 /// The highest notch, points; a cut of [`FULL_COST`] has it.
@@ -15,15 +15,16 @@ const FULL_COST: f64 = 1.0;
 
 /// The ribbon of the shown take. A click on a piece goes to its first frame.
 pub fn ribbon_ui(ui: &Ui, row: Rect, axis: &Axis, state: &mut EditorState) {
-    let Some(take) = state.shown_take() else { return };
-    let (pieces, cuts) = (take.lane.pieces.clone(), take.lane.cuts.clone());
+    let Some(card) = state.shown_card() else { return };
+    let lane = std::sync::Arc::clone(&card.lane);
+    let (pieces, cuts) = (&lane.pieces, &lane.cuts);
     let bars = row.with_min_y(row.top() + 10.0);
     for (nth, piece) in pieces.iter().enumerate() {
-        if let Some(frame) = piece_ui(ui, bars, axis, nth, piece, &cuts) {
-            state.player.seek(frame as f64);
+        if let Some(frame) = piece_ui(ui, bars, axis, nth, piece, cuts) {
+            state.seek(frame as f64);
         }
     }
-    for cut in &cuts {
+    for cut in cuts {
         notch_ui(ui, row, axis, cut);
     }
 }

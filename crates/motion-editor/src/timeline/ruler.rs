@@ -15,7 +15,7 @@ pub const LABEL: &str = "Timeline ruler";
 pub fn grid_ui(ui: &Ui, room: Rect, axis: &Axis, state: &EditorState) {
     let palette = theme::of(ui);
     let painter = ui.painter().with_clip_rect(room);
-    let motion = axis.x_of(0.0)..=axis.x_of(state.player.n_frames() as f64);
+    let motion = axis.x_of(0.0)..=axis.x_of(state.n_frames() as f64);
     let inside = Rect::from_x_y_ranges(*motion.start()..=*motion.end(), room.y_range());
     painter.rect_filled(inside, 0.0, theme::over(palette.base, palette.panel, 0.6));
     for frame in ticks(axis, state) {
@@ -25,9 +25,9 @@ pub fn grid_ui(ui: &Ui, room: Rect, axis: &Axis, state: &EditorState) {
 }
 
 fn ticks(axis: &Axis, state: &EditorState) -> impl Iterator<Item = usize> + use<> {
-    let step = axis.tick_step(state.player.fps());
+    let step = axis.tick_step(state.fps());
     let first = (axis.first.max(0.0) as usize).div_ceil(step) * step;
-    let last = (axis.last_in_view().max(0.0) as usize).min(state.player.last());
+    let last = (axis.last_in_view().max(0.0) as usize).min(state.last_frame());
     (first..=last).step_by(step)
 }
 
@@ -46,7 +46,7 @@ pub fn ruler_ui(ui: &Ui, strip: Rect, axis: &Axis, state: &mut EditorState) {
         painter.text(at, Align2::LEFT_CENTER, number, theme::caption(), palette.faint);
     }
     let response = ui.interact(strip, ui.scope_id().with("ruler"), Sense::click_and_drag());
-    let now = state.player.frame_number() as f64;
+    let now = state.frame_number() as f64;
     response.widget_info(|| WidgetInfo {
         value: Some(now),
         ..WidgetInfo::labeled(Role::Slider, true, LABEL)
@@ -57,26 +57,26 @@ pub fn ruler_ui(ui: &Ui, strip: Rect, axis: &Axis, state: &mut EditorState) {
     {
         let is_free = ui.input(|input| input.modifiers.alt);
         let marks: Vec<usize> = state.stops();
-        let frame = axis.snap(at.x, &marks, is_free, state.player.n_frames());
-        state.player.stop_at(frame);
+        let frame = axis.snap(at.x, &marks, is_free, state.n_frames());
+        state.stop_at(frame);
         ui.ctx().request_repaint();
     }
 }
 
 /// A line through all rows, with its frame on the ruler.
 pub fn playhead_ui(ui: &Ui, room: Rect, axis: &Axis, state: &EditorState) {
-    if state.shown_take().is_none() {
+    if state.shown_card().is_none() {
         return;
     }
     let palette = theme::of(ui);
-    let x = axis.x_of(state.player.frame());
+    let x = axis.x_of(state.frame());
     if !room.x_range().contains(x) {
         return;
     }
     let painter = ui.painter().with_clip_rect(room);
     let line = Stroke::new(1.5, palette.accent);
     painter.vline(x, room.top() + 20.0..=room.bottom(), line);
-    let number = state.player.frame_number().to_string();
+    let number = state.frame_number().to_string();
     let font = egui::FontId { size: 11.0, ..theme::heading() };
     let job = tabular(ui, &number, &font, palette.base);
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));

@@ -3,8 +3,7 @@
 use egui::{Align, Layout, Ui};
 
 use crate::icons;
-use crate::player::SPEEDS;
-use crate::state::EditorState;
+use crate::state::{EditorState, SPEEDS};
 use crate::theme;
 use crate::ui_command::UiCommand;
 use crate::viewport::described;
@@ -19,7 +18,7 @@ pub fn transport_ui(ui: &mut Ui, state: &mut EditorState) {
         ui.set_min_height(height);
         ui.add_space(theme::GRID);
         ui.spacing_mut().item_spacing.x = 2.0;
-        let play = if state.player.is_playing() { icons::PAUSE } else { icons::PLAY };
+        let play = if state.is_playing() { icons::PAUSE } else { icons::PLAY };
         let buttons = [
             (icons::TO_START, UiCommand::ToStart),
             (icons::STEP_BACK, UiCommand::StepBack),
@@ -52,10 +51,10 @@ pub fn transport_ui(ui: &mut Ui, state: &mut EditorState) {
 
 fn clock_ui(ui: &mut Ui, state: &EditorState) {
     let palette = theme::of(ui);
-    let player = &state.player;
-    let now = format!("f {} ", player.frame_number());
+    let now = format!("f {} ", state.frame_number());
     let mut job = tabular(ui, &now, &theme::heading(), palette.text);
-    let rest = format!("/ {}    {:.2} s    {:.0} fps", player.last(), player.secs(), player.fps());
+    let rest =
+        format!("/ {}    {:.2} s    {:.0} fps", state.last_frame(), state.secs(), state.fps());
     let rest = tabular(ui, &rest, &theme::body(), palette.faint);
     for section in rest.sections {
         let text = &rest.text[section.byte_range.start.0..section.byte_range.end.0];
@@ -65,13 +64,13 @@ fn clock_ui(ui: &mut Ui, state: &EditorState) {
 }
 
 fn speed_ui(ui: &mut Ui, state: &mut EditorState) {
-    let text = format!("{}×", state.player.speed());
+    let text = format!("{}×", state.speed());
     let combo = egui::ComboBox::from_id_salt("speed").width(64.0).selected_text(text);
     let response = combo.show_ui(ui, |ui| {
         for speed in SPEEDS {
-            let is_chosen = (speed - state.player.speed()).abs() < 1e-9;
+            let is_chosen = (speed - state.speed()).abs() < 1e-9;
             if ui.selectable_label(is_chosen, format!("{speed}×")).clicked() {
-                state.player.set_speed(speed);
+                state.set_speed(speed);
             }
         }
     });

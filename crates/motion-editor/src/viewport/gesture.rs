@@ -3,11 +3,12 @@
 use egui::{CursorIcon, PointerButton, Response, Ui};
 use glam::{Vec2, Vec3};
 use motion_scene::camera::{OrbitCamera, Viewport};
+use motion_session::ConstraintKind;
 use motion_session::command::Command;
 use motion_session::document::ConstraintRef;
+use motion_session::selection::Selectable;
 use motion_session::stage::pick::PickTarget;
 
-use crate::authoring::Authoring;
 use crate::settings::Tool;
 use crate::state::EditorState;
 
@@ -53,8 +54,7 @@ impl Gesture {
         let Some(doing) = self.0.clone() else {
             return is_adding && response.dragged_by(PointerButton::Primary);
         };
-        let Some(authoring) = &mut state.authoring else { return false };
-        if !authoring.is_in_gesture() {
+        if !state.is_in_gesture() {
             // Escape has ended it.
             self.0 = None;
             return true;
@@ -65,21 +65,17 @@ impl Gesture {
         if is_down && moved {
             if let Some(floor) = at.and_then(|at| floor_at(response, camera, at)) {
                 let is_snapping = ui.input(|input| input.modifiers.shift);
-                let commands = commands(&doing, floor, is_snapping, authoring);
+                let commands = commands(&doing, floor, is_snapping, state);
                 if !commands.is_empty() {
-                    authoring.preview(&commands);
+                    state.preview(&commands);
                 }
-                state.after_edit();
             }
         } else if !is_down {
-            authoring.commit();
+            state.commit();
             self.0 = None;
             if let Doing::Add(..) = doing {
-                let last = authoring.constraints(0).len().checked_sub(1);
-                state.selected =
-                    last.map(|constraint| PickTarget::Checkpoint { character: 0, constraint });
+                select_last(state);
             }
-            state.after_edit();
         }
         true
     }
@@ -87,23 +83,23 @@ impl Gesture {
 
 /// What a press on the floor begins; nothing where it means the camera.
 fn begin(floor: [f64; 2], state: &mut EditorState) -> Option<Doing> {
-    let frame = state.player.frame_number() as u32;
-    let authoring = state.authoring.as_mut()?;
     if state.settings.tool == Tool::Checkpoint {
-        authoring.begin("Add checkpoint");
-        return Some(Doing::Add(floor, frame));
+        state.begin_gesture("Add checkpoint");
+        return Some(Doing::Add(floor, state.frame_number() as u32));
     }
     let target = state.hovered?;
-    let at = authoring.constraint_of(target)?;
-    let (_, place) = authoring.checkpoint(&at)?;
-    state.selected = Some(super::show::whole(target));
+    let Selectable::Constraint(at) = state.selectable_of(target)? else { return None };
+    let place = place_of(state, &at)?;
+    if !state.is_selected(&at) {
+        state.session.selection_mut().select(Selectable::Constraint(at.clone()));
+    }
     match target {
         PickTarget::CheckpointTip { .. } => {
-            authoring.begin("Turn checkpoint");
+            state.begin_gesture("Turn checkpoint");
             Some(Doing::Turn(at))
         }
         PickTarget::Checkpoint { .. } => {
-            authoring.begin("Move checkpoint");
+            state.begin_gesture("Move checkpoint");
             Some(Doing::Move(at, [place[0] - floor[0], place[1] - floor[1]]))
         }
         _ => None,
@@ -114,7 +110,7 @@ fn commands(
     doing: &Doing,
     floor: [f64; 2],
     is_snapping: bool,
-    authoring: &Authoring,
+    state: &EditorState,
 ) -> Vec<Command> {
     let snapped = |value: f64, step: f64| {
         if is_snapping { (value / step).round() * step } else { value }
@@ -128,7 +124,7 @@ fn commands(
             vec![Command::Move { at: at.clone(), position_m }]
         }
         Doing::Turn(at) => {
-            let Some((_, from)) = authoring.checkpoint(at) else { return Vec::new() };
+            let Some(from) = place_of(state, at) else { return Vec::new() };
             let heading = heading_deg(from, floor).map(|deg| snapped(deg, SNAP_DEG).round());
             heading
                 .map(|deg| Command::Turn { at: at.clone(), heading_deg: Some(deg) })
@@ -139,8 +135,27 @@ fn commands(
             let position_m =
                 [0, 1].map(|axis| (snapped(from[axis], SNAP_M) * 1000.0).round() / 1000.0);
             let heading = heading_deg(position_m, floor).map(|deg| snapped(deg, SNAP_DEG).round());
-            authoring.add_checkpoint(*frame, position_m, heading)
+            state.checkpoint_commands(*frame, position_m, heading)
         }
+    }
+}
+
+/// Where on the floor a checkpoint is.
+fn place_of(state: &EditorState, at: &ConstraintRef) -> Option<[f64; 2]> {
+    match &state.session.document().constraint(at)?.kind {
+        ConstraintKind::Body { position_m, .. } => Some(*position_m),
+        _ => None,
+    }
+}
+
+/// Selects the active character's constraint that was made last.
+fn select_last(state: &mut EditorState) {
+    let character = state.session.active();
+    let constraints = state.session.document().character(character).map(|c| &c.constraints);
+    let id = constraints.and_then(|constraints| constraints.last()).map(|c| c.id.clone());
+    if let Some(id) = id {
+        let at = ConstraintRef::new(character, id);
+        state.session.selection_mut().select(Selectable::Constraint(at));
     }
 }
 

@@ -12,11 +12,13 @@ use glam::Vec3;
 use motion_scene::bounds::Bounds;
 use motion_scene::camera::{FOV_RAD, OrbitCamera, Projection, StandardView, Viewport};
 use motion_scene::scene::Scene;
+use motion_session::document::CharacterIdx;
+use motion_session::stage::Stage;
 use motion_session::stage::pick::{PickTarget, Picks};
 
 use crate::icons;
+use crate::mark::Mark;
 use crate::state::EditorState;
-use crate::take::{Mark, Take};
 use crate::theme;
 use crate::ui_command::UiCommand;
 use crate::widgets::icon_button::icon_button_ui;
@@ -145,7 +147,7 @@ impl ViewportPanel {
     fn measure_fps(&mut self, ui: &Ui, state: &EditorState) {
         const NEW: f32 = 0.1;
         let dt = ui.input(|input| input.unstable_dt).max(1e-4);
-        self.fps = state.player.is_playing().then(|| {
+        self.fps = state.is_playing().then(|| {
             let now = 1.0 / dt;
             self.fps.map_or(now, |fps| fps + (now - fps) * NEW)
         });
@@ -153,15 +155,18 @@ impl ViewportPanel {
 
     /// Frames and follows.
     fn keep_up(&mut self, state: &EditorState) {
-        let Some(take) = state.shown_take() else { return };
+        if state.stage.actors.is_empty() {
+            return;
+        }
         if self.frame_all
-            && let Some(bounds) = whole_motion(take, &state.marks)
+            && let Some(bounds) = whole_motion(&state.stage, &state.marks)
         {
             let viewport = Viewport::new(self.size.x, self.size.y);
             self.camera.frame(&bounds, viewport, MARGIN);
             self.frame_all = false;
         }
-        let root = take.stage.actors.first().map(|a| a.root_at_m(state.player.frame()));
+        let active = state.stage.actors.get(state.session.active().0);
+        let root = active.map(|actor| actor.root_at_m(state.frame()));
         let here = root.filter(|_| state.settings.follow);
         if let (Some(before), Some(now)) = (self.followed_m, here) {
             self.camera.target_m += (now - before).with_y(0.0);
@@ -181,10 +186,8 @@ impl ViewportPanel {
             }
             None => Scene::empty(state.settings.theme),
         };
-        if let Some(take) = state.shown_take() {
-            for actor in &take.stage.actors {
-                canvas.set_model(actor.figure.mesh, &actor.figure.model);
-            }
+        for actor in &state.stage.actors {
+            canvas.set_model(actor.figure.mesh, &actor.figure.model);
         }
         let picture = canvas.draw(scene, self.camera, rect.size(), pixels_per_point);
         let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
@@ -221,10 +224,8 @@ impl ViewportPanel {
             ui.ctx().request_repaint();
         }
         if response.clicked() {
-            state.selected = state
-                .hovered
-                .map(show::whole)
-                .filter(|target| matches!(target, PickTarget::Checkpoint { .. }));
+            let is_adding = ui.input(|input| input.modifiers.shift);
+            select(state, is_adding);
         }
         if response.double_clicked() && state.hovered.is_none() {
             self.frame_all = true;
@@ -267,15 +268,35 @@ pub fn described(ui: &Ui, command: UiCommand) -> String {
     }
 }
 
+/// Selects what the pointer is over, or nothing; with `is_adding` beside what is selected.
+fn select(state: &mut EditorState, is_adding: bool) {
+    let item = state.hovered.and_then(|target| match target {
+        // Bodies fill the view; a click on one is rather meant for what it does.
+        PickTarget::Actor { .. } | PickTarget::Ghost { .. } => None,
+        other => state.selectable_of(other),
+    });
+    if let Some(PickTarget::Actor { actor } | PickTarget::Ghost { actor, .. }) = state.hovered {
+        state.session.set_active(CharacterIdx(actor));
+        state.refresh();
+    }
+    let selection = state.session.selection_mut();
+    match item {
+        Some(item) if is_adding => selection.toggle(item),
+        Some(item) => selection.select(item),
+        None if is_adding => {}
+        None => selection.clear(),
+    }
+}
+
 /// Room for the whole motion and its marks.
-fn whole_motion(take: &Take, marks: &[Mark]) -> Option<Bounds> {
+fn whole_motion(stage: &Stage, marks: &[Mark]) -> Option<Bounds> {
     const N_MOMENTS: usize = 24;
-    let last = take.n_frames().saturating_sub(1) as f64;
+    let last = stage.n_frames().saturating_sub(1) as f64;
     let moments = (0..=N_MOMENTS).map(|i| last * i as f64 / N_MOMENTS as f64);
     let bodies =
-        moments.flat_map(|frame| take.stage.actors.iter().filter_map(move |a| a.bounds_at(frame)));
-    let marks = marks.iter().map(|mark| {
-        Bounds::of_point(Vec3::new(mark.at_m[0] as f32, 0.0, mark.at_m[1] as f32)).grown(0.4)
+        moments.flat_map(|frame| stage.actors.iter().filter_map(move |a| a.bounds_at(frame)));
+    let marks = marks.iter().filter_map(Mark::body).map(|(at_m, _)| {
+        Bounds::of_point(Vec3::new(at_m[0] as f32, 0.0, at_m[1] as f32)).grown(0.4)
     });
     bodies.chain(marks).reduce(Bounds::union)
 }

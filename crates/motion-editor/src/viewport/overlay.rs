@@ -22,12 +22,11 @@ pub fn overlay_ui(ui: &Ui, rect: Rect, state: &EditorState, fps: Option<f32>) {
         ui.painter().galley(at, galley, color);
         at.y += height + 2.0;
     };
-    if let Some(take) = state.shown_take() {
-        line(&format!("Take {}", take.number), &theme::heading(), palette.text);
-        let player = &state.player;
-        let speed = player.speed();
+    if let Some(card) = state.shown_card() {
+        line(&card.title(), &theme::heading(), palette.text);
+        let speed = state.speed();
         let rate = fps.map(|fps| format!(" · {fps:.0} fps drawn")).unwrap_or_default();
-        let text = format!("f {} · {:.2} s · {speed}×{rate}", player.frame_number(), player.secs());
+        let text = format!("f {} · {:.2} s · {speed}×{rate}", state.frame_number(), state.secs());
         line(&text, &theme::caption(), palette.faint);
     }
     let hint = match state.settings.navigation {
@@ -36,7 +35,7 @@ pub fn overlay_ui(ui: &Ui, rect: Rect, state: &EditorState, fps: Option<f32>) {
     };
     let corner = Pos2::new(rect.left() + INSET_PT, rect.bottom() - INSET_PT);
     ui.painter().text(corner, Align2::LEFT_BOTTOM, hint, theme::caption(), palette.faint);
-    if state.shown_take().is_none() {
+    if state.shown_card().is_none() {
         waiting_ui(ui, rect, state);
     }
 }

@@ -1,7 +1,8 @@
 //! The scene of a moment, with what is hovered and selected marked.
 
-use motion_scene::body::Emphasis;
-use motion_session::stage::pick::{PickTarget, Picks};
+use motion_scene::body::{Emphasis, PickId};
+use motion_session::selection::Selectable;
+use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Show, Staged};
 
 use crate::state::EditorState;
@@ -11,25 +12,34 @@ const N_GHOSTS: usize = 7;
 
 /// What is to be seen now; nothing while there is no take.
 pub fn staged(state: &EditorState) -> Option<Staged> {
-    let take = state.shown_take()?;
+    if state.stage.actors.is_empty() {
+        return None;
+    }
     let show = Show {
         wishes: true,
         trail: state.settings.trail,
         ghosts: if state.settings.ghosts { N_GHOSTS } else { 0 },
     };
-    let mut staged = take.stage.scene_at(state.player.frame(), show);
-    mark(&mut staged, state.selected, Emphasis::Selected);
-    let hovered = state.hovered.map(whole);
-    if hovered != state.selected {
-        mark(&mut staged, hovered, Emphasis::Hovered);
+    let mut staged = state.stage.scene_at(state.frame(), show);
+    // What is selected is said last, so that it shows under the pointer too.
+    if let Some(hovered) = state.hovered {
+        let hovered = whole(hovered);
+        mark(&mut staged, |target| target == hovered, Emphasis::Hovered);
     }
+    let document = state.session.document();
+    let selected: Vec<&Selectable> = state.session.selection().items(document).collect();
+    let is_selected = |target: PickTarget| {
+        whole(target) == target
+            && !matches!(target, PickTarget::Actor { .. } | PickTarget::Ghost { .. })
+            && state.selectable_of(target).is_some_and(|item| selected.contains(&&item))
+    };
+    mark(&mut staged, is_selected, Emphasis::Selected);
     Some(staged)
 }
 
-fn mark(staged: &mut Staged, target: Option<PickTarget>, emphasis: Emphasis) {
-    let Some(target) = target else { return };
+fn mark(staged: &mut Staged, is_meant: impl Fn(PickTarget) -> bool, emphasis: Emphasis) {
     let Staged { scene, picks } = staged;
-    let is = |pick| means(picks, pick, target);
+    let is = |pick: Option<PickId>| pick.and_then(|id| picks.target(id)).is_some_and(&is_meant);
     for body in scene.bodies.iter_mut().filter(|body| is(body.pick)) {
         body.emphasis = emphasis;
     }
@@ -42,10 +52,6 @@ fn mark(staged: &mut Staged, target: Option<PickTarget>, emphasis: Emphasis) {
     for solid in scene.solids.iter_mut().filter(|solid| is(solid.pick)) {
         solid.emphasis = emphasis;
     }
-}
-
-fn means(picks: &Picks, pick: Option<motion_scene::body::PickId>, target: PickTarget) -> bool {
-    pick.and_then(|id| picks.target(id)) == Some(target)
 }
 
 /// A checkpoint and the tip of its arrow are selected together.

@@ -4,6 +4,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use motion_editor::app::EditorApp;
+use motion_editor::mark::Mark;
 use motion_editor::viewport;
 
 use crate::window::{settle, solved};
@@ -12,7 +13,7 @@ type Window = Harness<'static, EditorApp>;
 
 /// Frames of the body constraints.
 fn frames(harness: &Window) -> Vec<usize> {
-    harness.state().state.marks.iter().map(|mark| mark.frame).collect()
+    harness.state().state.marks.iter().map(Mark::frame).collect()
 }
 
 /// A press, a way in several steps, a release.
@@ -58,7 +59,7 @@ fn a_mark_is_dragged_to_another_frame_and_back_by_undo() {
 #[test]
 fn a_checkpoint_is_placed_on_the_floor_and_deleted() {
     let Some(mut harness) = solved() else { return };
-    harness.state_mut().state.player.seek(60.0);
+    harness.state_mut().state.seek(60.0);
     harness.key_press(Key::C);
     harness.run_steps(2);
     let view = harness.get_by_label(viewport::LABEL).rect();
@@ -66,8 +67,9 @@ fn a_checkpoint_is_placed_on_the_floor_and_deleted() {
     drag(&mut harness, at, Vec2::new(60.0, 10.0));
     assert_eq!(frames(&harness), [0, 60, 110, 239]);
     let state = &harness.state().state;
-    let (number, mark) = state.selected_mark().expect("the new one is selected");
-    assert!(number == 2 && mark.heading_deg.is_some(), "{mark:?}");
+    let mark = state.selected_mark().expect("the new one is selected");
+    let has_heading = mark.body().is_some_and(|(_, heading)| heading.is_some());
+    assert!(mark.number == 2 && has_heading, "{mark:?}");
     harness.key_press(Key::Delete);
     harness.run_steps(2);
     assert_eq!(frames(&harness), [0, 110, 239]);

@@ -3,6 +3,7 @@
 use egui_kittest::Harness;
 use motion_editor::app::EditorApp;
 use motion_editor::project_source::ProjectSource;
+use motion_editor::state::{EditorOptions, EditorState};
 use motion_editor::window::{SavedWork, Window};
 use motion_session::Warnings;
 use motion_session::load_project;
@@ -19,13 +20,14 @@ fn work_is_saved_when_the_device_goes() {
     let builder = Harness::builder().with_size(egui::Vec2::new(1000.0, 700.0)).wgpu();
     let of_window = saved.clone();
     let mut harness = builder.build_eframe(move |cc| {
-        Window::new(EditorApp::new(cc, &ProjectSource::Sample), of_window)
+        let app = EditorApp::new(cc, EditorOptions::new(ProjectSource::Sample)).expect("threads");
+        Window::new(app, of_window)
     });
     harness.step();
     let window = harness.state_mut();
     assert!(!window.save_if_lost(folder.path()), "nothing is lost yet");
     assert_eq!(saved.take(), None);
-    let before = window.app().state.authoring.as_ref().unwrap().document().to_project();
+    let before = window.app().state.session.document().to_project();
 
     window.app().viewport.destroy_device();
     window.app().viewport.wait_for_device();
@@ -39,7 +41,7 @@ fn work_is_saved_when_the_device_goes() {
 
     // What opens again is the same project, under the name of the first.
     let source = ProjectSource::Recovered { work, project: None };
-    let (project, path) = source.read(&mut Warnings::new()).unwrap();
-    let (_, of_sample) = ProjectSource::Sample.read(&mut Warnings::new()).unwrap();
-    assert_eq!((project, path), (before, of_sample));
+    let state = EditorState::new(EditorOptions::new(source), &egui::Context::default()).unwrap();
+    assert_eq!(state.session.document().to_project(), before);
+    assert!(state.session.is_changed(), "it is not saved yet");
 }

@@ -27,13 +27,13 @@ fn the_window_opens_with_a_view_and_few_controls() {
 fn the_sample_plays_by_itself_and_space_pauses() {
     let Some(mut harness) = open() else { return };
     crate::window::settle(&mut harness);
-    assert!(harness.state().state.player.is_playing());
-    assert!(harness.state().state.takes.len() >= 2, "distinct takes");
+    assert!(harness.state().state.is_playing());
+    assert!(harness.state().state.cards.len() >= 2, "distinct takes");
     harness.key_press(Key::Space);
     harness.run_steps(2);
-    let player = &harness.state().state.player;
-    assert!(!player.is_playing());
-    assert_eq!(player.frame().fract(), 0.0);
+    let state = &harness.state().state;
+    assert!(!state.is_playing());
+    assert_eq!(state.frame().fract(), 0.0);
 }
 
 #[test]
@@ -43,9 +43,9 @@ fn a_press_on_the_ruler_scrubs() {
     for share in [0.25, 0.5] {
         harness.drag_at(ruler.lerp_inside(Vec2::new(share, 0.5)));
         harness.run_steps(2);
-        let player = &harness.state().state.player;
-        let expected = player.n_frames() as f64 * f64::from(share);
-        assert!((player.frame() - expected).abs() < 8.0, "{share}: {}", player.frame());
+        let state = &harness.state().state;
+        let expected = state.n_frames() as f64 * f64::from(share);
+        assert!((state.frame() - expected).abs() < 8.0, "{share}: {}", state.frame());
     }
 }
 
@@ -70,12 +70,14 @@ fn another_take_is_shown_at_the_same_frame() {
     let Some(mut harness) = solved() else { return };
     quiet(&mut harness);
     let state = &mut harness.state_mut().state;
-    state.player.seek(50.0);
-    let other = if state.shown == Some(1) { (Key::Num1, 0) } else { (Key::Num2, 1) };
-    harness.key_press(other.0);
-    harness.run_steps(2);
+    state.seek(50.0);
+    let is_second = state.shown_card().is_some_and(|card| card.number == 2);
+    let (key, nth) = if is_second { (Key::Num1, 0) } else { (Key::Num2, 1) };
+    let other = state.cards[nth].id;
+    harness.key_press(key);
+    quiet(&mut harness);
     let state = &harness.state().state;
-    assert_eq!((state.shown, state.player.frame()), (Some(other.1), 50.0));
+    assert_eq!((state.shown(), state.frame()), (Some(other), 50.0));
     harness.key_press(Key::F1);
     harness.run_steps(2);
     let sheet = |harness: &Harness<'_, EditorApp>| {

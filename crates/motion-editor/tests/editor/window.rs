@@ -6,6 +6,7 @@ use egui::Vec2;
 use egui_kittest::Harness;
 use motion_editor::app::EditorApp;
 use motion_editor::project_source::ProjectSource;
+use motion_editor::state::EditorOptions;
 use motion_render::gpu::{AdapterChoice, Gpu};
 
 /// Whether anything can draw here; says a line where nothing can (and fails where
@@ -24,14 +25,16 @@ pub(crate) fn open() -> Option<Harness<'static, EditorApp>> {
         return None;
     }
     let builder = Harness::builder().with_size(Vec2::new(1600.0, 1000.0)).wgpu();
-    Some(builder.build_eframe(|cc| EditorApp::new(cc, &ProjectSource::Sample)))
+    Some(builder.build_eframe(|cc| {
+        EditorApp::new(cc, EditorOptions::new(ProjectSource::Sample)).expect("threads")
+    }))
 }
 
 /// The editor once the search has found something, paused at the first frame.
 pub(crate) fn solved() -> Option<Harness<'static, EditorApp>> {
     let mut harness = open()?;
     settle(&mut harness);
-    harness.state_mut().state.player.stop_at(0);
+    harness.state_mut().state.stop_at(0);
     harness.run_steps(3);
     Some(harness)
 }
@@ -44,8 +47,8 @@ pub(crate) fn settle(harness: &mut Harness<'_, EditorApp>) {
     harness.step();
     loop {
         let state = &harness.state().state;
-        let is_answered = state.shown_take().is_some_and(|take| !take.is_stale);
-        if state.takes.len() >= 2 && is_answered {
+        let is_answered = state.shown_card().is_some_and(|card| !card.is_stale);
+        if state.cards.len() >= 2 && is_answered {
             break;
         }
         assert!(start.elapsed() < LIMIT, "the search finds nothing: {:?}", state.search_state());
@@ -57,10 +60,7 @@ pub(crate) fn settle(harness: &mut Harness<'_, EditorApp>) {
 
 /// Stops the search, so that nothing changes by itself.
 pub(crate) fn quiet(harness: &mut Harness<'_, EditorApp>) {
-    let state = &mut harness.state_mut().state;
-    if let Some(authoring) = &mut state.authoring {
-        authoring.session.search().pause();
-    }
+    harness.state_mut().state.session.search().pause();
     // What was under way comes in.
     for _ in 0..10 {
         std::thread::sleep(Duration::from_millis(50));

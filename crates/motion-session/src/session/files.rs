@@ -107,6 +107,19 @@ impl Session {
         self.begin_project(project);
     }
 
+    /// Goes on with work that was saved elsewhere when the program went down, in the place of this
+    /// project. It belongs to `file`, if to any, and is changed until it is saved there.
+    pub fn go_on_with(&mut self, work: &Project, file: Option<&Path>) -> Result<(), FileError> {
+        let lock = file.map(|file| self.files.lock_for(file)).transpose()?.flatten();
+        self.files.begin(file.map(Path::to_owned), Document::from_project(work.clone()), lock);
+        if file.is_none() {
+            self.begin_untitled();
+        }
+        self.files.is_unsaved = true;
+        self.begin_project(work);
+        Ok(())
+    }
+
     /// Saves to the project's own file. Fails where it has none: then ask for one and
     /// [`save_as`](Self::save_as).
     pub fn save(&mut self) -> Result<(), FileError> {

@@ -228,6 +228,11 @@ impl Session {
         &mut self.live
     }
 
+    /// Whether the search is paused.
+    pub fn is_search_paused(&self) -> bool {
+        self.live.is_paused()
+    }
+
     /// Shows a take from now on.
     pub fn pick(&mut self, character: CharacterIdx, take: TakeId) {
         self.live.pick(character, take);

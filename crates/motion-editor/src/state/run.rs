@@ -1,0 +1,130 @@
+//! What commands do.
+
+use motion_scene::color::Theme;
+
+use super::EditorState;
+use crate::settings::{Navigation, Tool};
+use crate::ui_command::UiCommand as C;
+
+impl EditorState {
+    /// Does a command that needs nothing but the state; gives whether it was one. What cannot be
+    /// done now is not.
+    pub fn run(&mut self, command: C) -> bool {
+        if !command.is_enabled(self) {
+            return true;
+        }
+        self.run_playing(command)
+            || self.run_takes(command)
+            || self.run_editing(command)
+            || self.run_view(command)
+    }
+
+    fn run_playing(&mut self, command: C) -> bool {
+        let now = self.frame_number();
+        let second = self.fps().round() as i32;
+        match command {
+            C::PlayPause => self.toggle_playing(),
+            C::StepBack => self.step(-1),
+            C::StepAhead => self.step(1),
+            C::SecondBack => self.step(-second),
+            C::SecondAhead => self.step(second),
+            C::PreviousStop => {
+                let stop = self.stops().into_iter().rev().find(|stop| *stop < now);
+                self.jump(stop);
+            }
+            C::NextStop => {
+                let stop = self.stops().into_iter().find(|stop| *stop > now);
+                self.jump(stop);
+            }
+            C::ToStart => self.seek(f64::from(self.session.playback().range().from)),
+            C::ToEnd => self.jump(Some(self.session.playback().range().to as usize)),
+            C::Loop => self.toggle_loop(),
+            C::Slower => self.change_speed(false),
+            C::Faster => self.change_speed(true),
+            C::NormalSpeed => self.set_speed(1.0),
+            _ => return false,
+        }
+        true
+    }
+
+    fn run_takes(&mut self, command: C) -> bool {
+        let search = self.session.search();
+        match command {
+            C::PauseSearch if search.is_paused() => search.resume(),
+            C::PauseSearch => search.pause(),
+            C::Shake => search.shake(),
+            C::FollowBest => {
+                self.settings.follow_best = !self.settings.follow_best;
+                search.follow_best(self.settings.follow_best);
+            }
+            C::ShowTake(n) => self.show_card(usize::from(n).saturating_sub(1)),
+            C::FlipTakes => {
+                let before = self.shown_before;
+                before.into_iter().for_each(|id| self.show_take(id));
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    fn run_editing(&mut self, command: C) -> bool {
+        match command {
+            C::Undo => {
+                self.notices.clear_refusal();
+                self.session.undo();
+                self.hovered = None;
+                self.refresh();
+            }
+            C::Redo => {
+                self.notices.clear_refusal();
+                self.session.redo();
+                self.hovered = None;
+                self.refresh();
+            }
+            C::Delete => self.delete_selected(),
+            C::SelectTool => {
+                let cancelled = self.cancel();
+                if !cancelled && self.settings.tool == Tool::Select {
+                    self.session.selection_mut().clear();
+                }
+                self.settings.tool = Tool::Select;
+            }
+            C::CheckpointTool => self.settings.tool = Tool::Checkpoint,
+            _ => return false,
+        }
+        true
+    }
+
+    fn run_view(&mut self, command: C) -> bool {
+        let settings = &mut self.settings;
+        let flip = |flag: &mut bool| *flag = !*flag;
+        match command {
+            C::Follow => flip(&mut settings.follow),
+            C::Trail => flip(&mut settings.trail),
+            C::Ghosts => flip(&mut settings.ghosts),
+            C::LeftPanel => flip(&mut settings.left_open),
+            C::RightPanel => flip(&mut settings.right_open),
+            C::Timeline => flip(&mut settings.timeline_open),
+            C::Theme => {
+                settings.theme = match settings.theme {
+                    Theme::Dark => Theme::Light,
+                    Theme::Light => Theme::Dark,
+                };
+                crate::theme::choose(&self.wake, self.settings.theme);
+                self.refresh();
+            }
+            C::Navigation => {
+                settings.navigation = match settings.navigation {
+                    Navigation::Blender => Navigation::Industry,
+                    Navigation::Industry => Navigation::Blender,
+                }
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    fn jump(&mut self, to: Option<usize>) {
+        to.into_iter().for_each(|frame| self.stop_at(frame));
+    }
+}

@@ -1,0 +1,138 @@
+//! Which keys mean which command.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+use super::UiCommand;
+
+const fn bare(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+const fn shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+const fn ctrl(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::CTRL, key)
+}
+
+const fn ctrl_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::CTRL.plus(Modifiers::SHIFT), key)
+}
+
+const fn alt(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::ALT, key)
+}
+
+/// The row of digits. Windows cannot tell the number pad from it, so views have Alt.
+const DIGITS: [Key; 9] = [
+    Key::Num1,
+    Key::Num2,
+    Key::Num3,
+    Key::Num4,
+    Key::Num5,
+    Key::Num6,
+    Key::Num7,
+    Key::Num8,
+    Key::Num9,
+];
+
+impl UiCommand {
+    /// Its keys, the usual one first.
+    pub fn shortcuts(self) -> Vec<KeyboardShortcut> {
+        match self {
+            Self::Save => vec![ctrl(Key::S)],
+            Self::Quit => vec![ctrl(Key::Q)],
+
+            Self::Undo => vec![ctrl(Key::Z)],
+            Self::Redo => vec![ctrl_shift(Key::Z), ctrl(Key::Y)],
+            Self::Delete => vec![bare(Key::Delete), bare(Key::X)],
+            Self::SelectTool => vec![bare(Key::Q), bare(Key::Escape)],
+            Self::CheckpointTool => vec![bare(Key::C)],
+
+            Self::PlayPause => vec![bare(Key::Space)],
+            Self::Loop => vec![shift(Key::L)],
+            Self::Slower => vec![bare(Key::Minus)],
+            Self::NormalSpeed => vec![bare(Key::Backslash)],
+            Self::Faster => vec![bare(Key::Equals)],
+            Self::StepBack => vec![bare(Key::ArrowLeft)],
+            Self::StepAhead => vec![bare(Key::ArrowRight)],
+            Self::SecondBack => vec![shift(Key::ArrowLeft)],
+            Self::SecondAhead => vec![shift(Key::ArrowRight)],
+            Self::PreviousStop => vec![bare(Key::ArrowUp)],
+            Self::NextStop => vec![bare(Key::ArrowDown)],
+            Self::ToStart => vec![ctrl(Key::ArrowLeft)],
+            Self::ToEnd => vec![ctrl(Key::ArrowRight)],
+
+            Self::FrameAll => vec![bare(Key::F), bare(Key::Home), bare(Key::Period)],
+            Self::ViewFront => vec![alt(Key::Num1)],
+            Self::ViewLeft => vec![alt(Key::Num3)],
+            Self::ViewTop => vec![alt(Key::Num7)],
+            Self::ViewThreeQuarter => vec![alt(Key::Num9)],
+            Self::Perspective => vec![alt(Key::Num5)],
+            Self::Follow => vec![alt(Key::Num0)],
+            Self::Trail => Vec::new(),
+            Self::Ghosts => Vec::new(),
+            Self::LeftPanel => Vec::new(),
+            Self::RightPanel => Vec::new(),
+            Self::Timeline => Vec::new(),
+            Self::FitTimeline => vec![shift(Key::F)],
+            Self::Theme => Vec::new(),
+            Self::Navigation => Vec::new(),
+
+            Self::ShowTake(n) => {
+                let digit = DIGITS.get(usize::from(n).wrapping_sub(1));
+                digit.map(|digit| bare(*digit)).into_iter().collect()
+            }
+            Self::FlipTakes => vec![bare(Key::Tab)],
+            Self::PauseSearch => vec![ctrl(Key::Enter)],
+            Self::Shake => vec![ctrl_shift(Key::Enter)],
+            Self::FollowBest => Vec::new(),
+
+            Self::Palette => vec![ctrl(Key::P), bare(Key::F3), ctrl(Key::K)],
+            Self::ShortcutSheet => vec![bare(Key::F1)],
+        }
+    }
+
+    /// The usual key.
+    pub fn shortcut(self) -> Option<KeyboardShortcut> {
+        self.shortcuts().first().copied()
+    }
+}
+
+/// The commands whose keys are pressed now. Nothing while somebody types.
+pub fn pressed(ctx: &egui::Context) -> Vec<UiCommand> {
+    if ctx.text_edit_focused() {
+        return Vec::new();
+    }
+    let of = |command: UiCommand| command.shortcuts().into_iter().map(move |key| (key, command));
+    let mut keys: Vec<_> = UiCommand::all().into_iter().flat_map(of).collect();
+    // Shift+→ would also do for →: what asks for more is looked at first.
+    keys.sort_by_key(|(shortcut, _)| {
+        let m = shortcut.modifiers;
+        std::cmp::Reverse(u8::from(m.shift) + u8::from(m.alt) + u8::from(m.ctrl))
+    });
+    ctx.input_mut(|input| {
+        keys.iter()
+            .filter(|(shortcut, _)| input.consume_shortcut(shortcut))
+            .map(|(_, command)| *command)
+            .collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_does_two_things() {
+        let mut seen: Vec<(KeyboardShortcut, UiCommand)> = Vec::new();
+        for command in UiCommand::all() {
+            for shortcut in command.shortcuts() {
+                let twice = seen.iter().find(|(other, _)| *other == shortcut);
+                assert!(twice.is_none(), "{shortcut:?}: {command:?} and {twice:?}");
+                seen.push((shortcut, command));
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What commands are called, and what is said when the pointer rests on them.
+
+use super::UiCommand;
+
+impl UiCommand {
+    /// What menus say.
+    pub fn label(self) -> String {
+        match self {
+            Self::ShowTake(n) => format!("Show take {n}"),
+            other => other.words().0.to_owned(),
+        }
+    }
+
+    /// What is said when the pointer rests on it.
+    pub fn tooltip(self) -> &'static str {
+        self.words().1
+    }
+
+    fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Save => ("Save", "Writes the project to its own file"),
+            Self::Quit => ("Quit", "Closes the window"),
+
+            Self::Undo => ("Undo", "Takes back the last change of the project"),
+            Self::Redo => ("Redo", "Does again what was taken back"),
+            Self::Delete => ("Delete", "Removes what is selected"),
+            Self::SelectTool => {
+                ("Select tool", "Select and drag what is there; drag elsewhere to orbit")
+            }
+            Self::CheckpointTool => (
+                "Checkpoint tool",
+                "Press on the floor where the body must be, drag to where it looks",
+            ),
+
+            Self::PlayPause => ("Play or pause", "Plays the shown take, or pauses it"),
+            Self::Loop => ("Loop", "Begins again at the end"),
+            Self::Slower => ("Slower", "How fast time goes, 0.1× to 4×"),
+            Self::NormalSpeed => ("Normal speed", "How fast time goes, 0.1× to 4×"),
+            Self::Faster => ("Faster", "How fast time goes, 0.1× to 4×"),
+            Self::StepBack => ("One frame back", "Pauses and goes to the frame before"),
+            Self::StepAhead => ("One frame ahead", "Pauses and goes to the next frame"),
+            Self::SecondBack => ("One second back", "Goes back by one second of the motion"),
+            Self::SecondAhead => ("One second ahead", "Goes on by one second of the motion"),
+            Self::PreviousStop => {
+                ("Previous constraint or cut", "Goes back to where something happens")
+            }
+            Self::NextStop => ("Next constraint or cut", "Goes on to where something happens"),
+            Self::ToStart => ("First frame", "Goes to the beginning of what is played"),
+            Self::ToEnd => ("Last frame", "Goes to the end of what is played"),
+
+            Self::FrameAll => ("Frame all", "Brings the whole motion into view"),
+            Self::ViewFront => ("View from the front", "Looks along −Z"),
+            Self::ViewLeft => ("View from the left", "Looks along −X, at the body's left"),
+            Self::ViewTop => ("View from above", "Looks down"),
+            Self::ViewThreeQuarter => {
+                ("Three-quarter view", "Looks from the front left and a little above")
+            }
+            Self::Perspective => ("Perspective", "With vanishing points, or without"),
+            Self::Follow => ("Follow the character", "The camera goes along with the character"),
+            Self::Trail => {
+                ("Show the way over the floor", "Where the body goes: past orange, future blue")
+            }
+            Self::Ghosts => ("Show ghosts", "Shows other moments of the motion, faint"),
+            Self::LeftPanel => ("Library panel", "Shows the panel, or hides it"),
+            Self::RightPanel => ("Takes panel", "Shows the panel, or hides it"),
+            Self::Timeline => ("Timeline panel", "Shows the panel, or hides it"),
+            Self::FitTimeline => ("Fit the timeline", "Shows all frames on the timeline"),
+            Self::Theme => ("Dark or light", "Changes the colours of the window"),
+            Self::Navigation => (
+                "Blender or Industry navigation",
+                "Blender: middle button orbits. Industry: Alt with the left, middle, right button",
+            ),
+
+            Self::ShowTake(_) => ("Show take", "Shows another motion under the same constraints"),
+            Self::FlipTakes => {
+                ("Flip between the last two takes", "Compares two takes at the same frame")
+            }
+            Self::PauseSearch => ("Pause or resume the search", "What was found stays"),
+            Self::Shake => {
+                ("Shake the search", "Searches from other beginnings; what was found stays")
+            }
+            Self::FollowBest => {
+                ("Follow the best take", "Shows a better take as soon as there is one")
+            }
+
+            Self::Palette => ("Find a command…", "Every command by its name"),
+            Self::ShortcutSheet => ("Keyboard shortcuts", "Every key on one sheet"),
+        }
+    }
+}

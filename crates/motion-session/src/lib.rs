@@ -28,6 +28,7 @@ pub mod document;
 pub mod history;
 pub mod live;
 pub mod playback;
+pub mod preferences;
 pub mod recovery;
 pub mod selection;
 pub mod session;

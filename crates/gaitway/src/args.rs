@@ -18,7 +18,8 @@ use crate::output::Failure;
     name = "gaitway",
     version,
     subcommand_value_name = "COMMAND",
-    after_help = "Without a command, gaitway authors its built-in sample and says where it is.\n\n\
+    after_help = "Without a command, gaitway opens its editor on a built-in sample; without a display, or with\n\
+        --json, it authors that sample and says where it is.\n\n\
         Exit status: 0 done; 2 the input or the arguments are wrong; 1 anything else that failed."
 )]
 pub(crate) struct Args {

@@ -36,6 +36,6 @@ fn run(args: Args) -> Result<(), Failure> {
     plan::use_threads(args.common.threads)?;
     match args.command {
         Some(command) => commands::run(&args.common, command),
-        None => commands::sample::run(&args.common),
+        None => commands::alone::run(&args.common),
     }
 }

@@ -36,6 +36,17 @@ pub(crate) fn run(
         };
         Failure::Other(anyhow::anyhow!("{error}; {way_out}"))
     })?;
+    after(console, closed, project.as_deref())
+}
+
+/// Opens the editor on the built-in sample and waits until it is closed: then gives how that went.
+/// Fails where no window can be.
+pub(crate) fn open_sample(console: &Console) -> Result<Result<(), Failure>, OpenError> {
+    open(ProjectSource::Sample).map(|closed| after(console, closed, None))
+}
+
+/// Sees to what must be done after a window.
+fn after(console: &Console, closed: Closed, project: Option<&Path>) -> Result<(), Failure> {
     match closed {
         Closed::ByUser => Ok(()),
         Closed::DeviceLost(work) => {
@@ -43,7 +54,7 @@ pub(crate) fn run(
                 "the graphics device was lost; the work is in {}, and the window opens again on it",
                 work.display()
             ));
-            open_again(&work, project.as_deref())
+            open_again(&work, project)
         }
     }
 }

@@ -1,5 +1,6 @@
 //! One module for each command.
 
+pub(crate) mod alone;
 mod completions;
 mod convert;
 #[cfg(feature = "editor")]
@@ -9,7 +10,7 @@ mod man;
 mod measure;
 #[cfg(feature = "render")]
 mod render;
-pub(crate) mod sample;
+mod sample;
 mod solve;
 
 use crate::args::{Command, Common};

@@ -1,4 +1,4 @@
-//! `gaitway` alone: the built-in sample, authored without a window.
+//! The built-in sample, authored without a window.
 
 use std::path::Path;
 use std::time::Duration;
@@ -26,7 +26,6 @@ const BUDGET: Budget = Budget::Time(Duration::from_secs(3));
 /// Authors the sample and says where it is.
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
     let console = Console::new(common);
-    console.note("there is no window yet; authoring the built-in sample (`gaitway --help` lists the commands)");
     let project = sample::sample()?;
     let request = ProjectRequest {
         project: &project,

@@ -1,5 +1,6 @@
 //! The program as a person runs it.
 
+mod alone;
 mod bad_motion;
 mod bad_project;
 mod determinism;

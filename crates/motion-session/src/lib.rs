@@ -14,8 +14,10 @@ pub mod library_job;
 pub mod library_source;
 
 pub mod budget;
+pub mod eta;
 pub mod finish;
 pub mod problem;
+pub mod progress;
 pub mod project_job;
 pub mod quality;
 pub mod results;
@@ -27,6 +29,7 @@ pub mod command;
 pub mod document;
 pub mod history;
 pub mod live;
+pub mod palette;
 pub mod playback;
 pub mod preferences;
 pub mod recovery;

@@ -76,7 +76,7 @@ pub fn build(
     };
     let graph = graph::build(&clips.set, &options, cancel, &|stage| match stage {
         Stage::Features => on_progress("features", 0.0),
-        Stage::Neighbours => on_progress("neighbours", 0.1),
+        Stage::Neighbours(share) => on_progress("neighbours", 0.1 + 0.2 * f64::from(share)),
         Stage::Edges(share) => on_progress("edges", 0.3 + 0.4 * f64::from(share)),
         Stage::Hierarchy => on_progress("levels", 0.7),
         Stage::Bridges => on_progress("bridges", 0.9),

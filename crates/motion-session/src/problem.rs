@@ -4,7 +4,6 @@
 use std::path::Path;
 
 use glam::Vec2;
-use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use motion_core::constraint::{BodyConstraint, LengthMode, LengthWish};
 use motion_core::score::{Weights, Wishes};
 use motion_core::search::Problem;
@@ -12,6 +11,7 @@ use motion_io::diagnostic::FileError;
 use motion_io::project_file::{self, Character, Constraint, ConstraintKind, Palette, Project};
 
 use crate::Library;
+use crate::palette::Matcher;
 
 /// One character's problem, with what the report needs to speak of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,7 +160,7 @@ fn weights(project: &Project, left_out: &mut Vec<String>) -> Weights {
     weights
 }
 
-/// For each clip whether the palette has it. A pattern for `walk` has `walk@mirror` too.
+/// For each clip whether the palette has it.
 fn allowed_clips(
     palette: Option<&Palette>,
     library: &Library,
@@ -168,18 +168,12 @@ fn allowed_clips(
 ) -> Result<Vec<bool>, FileError> {
     let clips = library.clips.clips();
     let Some(palette) = palette else { return Ok(vec![true; clips.len()]) };
-    let include = patterns(&palette.include, project_path)?;
-    let exclude = patterns(&palette.exclude, project_path)?;
-    let allowed: Vec<bool> = clips
-        .iter()
-        .map(|clip| {
-            let source = clip.id.strip_suffix("@mirror").unwrap_or(&clip.id);
-            let matches = |set: &GlobSet| set.is_match(source) || set.is_match(&clip.id);
-            let tagged =
-                palette.tags.is_empty() || clip.tags.iter().any(|tag| palette.tags.contains(tag));
-            (palette.include.is_empty() || matches(&include)) && !matches(&exclude) && tagged
-        })
-        .collect();
+    let matcher = Matcher::new(Some(palette)).map_err(|error| {
+        let what = format!("the palette has a pattern that is none ({error})");
+        FileError::new(project_path, what, "use * for anything and ? for one character")
+    })?;
+    let allowed: Vec<bool> =
+        clips.iter().map(|clip| matcher.has((clip.id.as_str(), &clip.tags))).collect();
     if !allowed.contains(&true) {
         return Err(FileError::new(
             project_path,
@@ -188,18 +182,6 @@ fn allowed_clips(
         ));
     }
     Ok(allowed)
-}
-
-fn patterns(patterns: &[String], project_path: &Path) -> Result<GlobSet, FileError> {
-    let bad = |error: globset::Error| {
-        let what = format!("the palette has a pattern that is none ({error})");
-        FileError::new(project_path, what, "use * for anything and ? for one character")
-    };
-    let mut set = GlobSetBuilder::new();
-    for pattern in patterns {
-        set.add(GlobBuilder::new(pattern).case_insensitive(true).build().map_err(bad)?);
-    }
-    set.build().map_err(bad)
 }
 
 #[cfg(test)]

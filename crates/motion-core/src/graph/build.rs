@@ -83,7 +83,7 @@ pub enum Stage {
     /// Feature vectors.
     Features,
     /// Nearest neighbours, from which τ follows.
-    Neighbours,
+    Neighbours(f32),
     /// All pairs under τ.
     Edges(f32),
     /// Islands, clusters and trees.
@@ -109,8 +109,9 @@ pub fn build(
     }
     progress(Stage::Features);
     let features = FeatureSet::new(clips, metric_columns(clips.skeleton()));
-    progress(Stage::Neighbours);
-    let nearest = nearest(&features, cancel)?;
+    progress(Stage::Neighbours(0.0));
+    let on_neighbours = |share: f32| progress(Stage::Neighbours(share));
+    let nearest = nearest(&features, cancel, &on_neighbours)?;
     let tau = match options.tau {
         TauRule::Fixed(tau) => tau,
         TauRule::NeighbourQuantile(share) => quantile(&nearest.other_clip, share),

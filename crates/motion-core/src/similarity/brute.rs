@@ -56,7 +56,7 @@ fn pairs_below_are_those_of_a_double_loop() {
 #[test]
 fn nearest_is_that_of_a_double_loop() {
     let features = random_walks(&[BLOCK + 30, 200, 77], 18, 2);
-    let found = nearest(&features, &CancelToken::new()).expect("not cancelled");
+    let found = nearest(&features, &CancelToken::new(), &|_| ()).expect("not cancelled");
     for row in 0..features.n_rows() {
         let clip = features.clip_of_row(row).0;
         let others = (0..features.n_rows()).filter(|&b| features.clip_of_row(b).0 != clip);
@@ -88,6 +88,6 @@ fn a_cancelled_search_for_pairs_says_so() {
     let cancel = CancelToken::new();
     cancel.cancel();
     let features = random_walks(&[50, 50], 6, 4);
-    assert!(nearest(&features, &cancel).is_err(), "nearest");
+    assert!(nearest(&features, &cancel, &|_| ()).is_err(), "nearest");
     assert!(pairs_below(&features, 1.0, 9, 10, &cancel, &|_| ()).is_err(), "pairs_below");
 }

@@ -6,7 +6,7 @@
 //!
 //! Memory: a block of [`BLOCK`]² products per thread, and the pairs that are kept.
 
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -91,8 +91,15 @@ fn packed(cost: f32, row: usize) -> u64 {
 ///
 /// Costs of [`Nearest::other_clip`] are recomputed in f64 for the pair that the f32 screen found
 /// nearest; those of [`Nearest::clip_pair`] are the screen's own, within 1e-4 of τ-sized costs.
-pub fn nearest(features: &FeatureSet, cancel: &CancelToken) -> Result<Nearest, Cancelled> {
+/// `progress` hears the share of all pairs that is done, from any thread.
+pub fn nearest(
+    features: &FeatureSet,
+    cancel: &CancelToken,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Result<Nearest, Cancelled> {
     let blocks = Blocks::new(features);
+    let n_blocks = blocks.n_blocks();
+    let (n_all, n_done) = (n_blocks * (n_blocks + 1) / 2, AtomicUsize::new(0));
     let n_clips = features.frame_starts.len() - 1;
     let nothing = packed(f32::INFINITY, u32::MAX as usize);
     let best: Vec<AtomicU64> = (0..features.n_rows()).map(|_| AtomicU64::new(nothing)).collect();
@@ -108,6 +115,10 @@ pub fn nearest(features: &FeatureSet, cancel: &CancelToken) -> Result<Nearest, C
             blocks.products(a, b, &mut products);
             nearest_in_block(&blocks, (a, b), &products, &best, &clip_pair);
         }
+        // A block row is long enough that hearing of each costs nothing.
+        let n_row = n_blocks - a;
+        let n_done = n_done.fetch_add(n_row, Ordering::Relaxed) + n_row;
+        progress(n_done as f32 / n_all as f32);
     });
     if cancel.is_cancelled() {
         return Err(Cancelled);
@@ -245,7 +256,10 @@ pub fn pairs_below(
             tau = f64::from(pivot.cost);
             pairs.retain(|pair| f64::from(pair.cost) < tau);
         }
-        progress((batch + BATCH).min(n_blocks) as f32 / n_blocks as f32);
+        // Rows of the triangle become shorter; the share is that of its area.
+        let n_left = n_blocks - (batch + BATCH).min(n_blocks);
+        let n_all = n_blocks * (n_blocks + 1);
+        progress(1.0 - (n_left * (n_left + 1)) as f32 / n_all as f32);
     }
     pairs.par_sort_unstable_by_key(|pair| (pair.a, pair.b));
     Ok(NearPairs { pairs, tau })

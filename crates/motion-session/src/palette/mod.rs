@@ -1,0 +1,101 @@
+//! Which clips a palette leaves to the search, and palettes that leave some more or fewer.
+//!
+//! A clip is in the palette when a pattern of `include` matches it (an empty list matches all), none
+//! of `exclude` does, and it has one of the `tags` (an empty list asks for none). Small and capital
+//! letters are alike. A pattern for `walk` has its mirror image `walk@mirror` too.
+//!
+//! [`Matcher`] is the only place that knows this: the search asks it, and so do check boxes.
+
+mod edit;
+
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
+use motion_core::skeleton::mirror::MIRROR_SUFFIX;
+use motion_io::project_file::Palette;
+
+use crate::live::ReadyLibrary;
+pub use edit::{palette_with, palette_with_clips, palette_with_tag};
+
+/// A clip as a palette sees it: its id and its tags.
+pub type TaggedClip<'a> = (&'a str, &'a [String]);
+
+/// A palette, ready to be asked about many clips.
+#[derive(Clone, Debug)]
+pub struct Matcher<'a> {
+    palette: Option<&'a Palette>,
+    include: GlobSet,
+    exclude: GlobSet,
+}
+
+impl<'a> Matcher<'a> {
+    /// Fails on a pattern that is none. Without a palette every clip is in use.
+    pub fn new(palette: Option<&'a Palette>) -> Result<Self, globset::Error> {
+        let set = |list: fn(&Palette) -> &[String]| patterns(palette.map_or(&[], list));
+        Ok(Self { palette, include: set(|p| &p.include)?, exclude: set(|p| &p.exclude)? })
+    }
+
+    /// Whether the palette has a clip.
+    pub fn has(&self, (id, tags): TaggedClip<'_>) -> bool {
+        let Some(palette) = self.palette else { return true };
+        let matches = |set: &GlobSet| set.is_match(source_of(id)) || set.is_match(id);
+        let is_tagged =
+            palette.tags.is_empty() || tags.iter().any(|tag| palette.tags.contains(tag));
+        (palette.include.is_empty() || matches(&self.include))
+            && !matches(&self.exclude)
+            && is_tagged
+    }
+}
+
+/// The clip that an id is the mirror image of, or the clip itself.
+fn source_of(id: &str) -> &str {
+    id.strip_suffix(MIRROR_SUFFIX).unwrap_or(id)
+}
+
+fn patterns(patterns: &[String]) -> Result<GlobSet, globset::Error> {
+    let mut set = GlobSetBuilder::new();
+    for pattern in patterns {
+        set.add(GlobBuilder::new(pattern).case_insensitive(true).build()?);
+    }
+    set.build()
+}
+
+/// The clips of a library as palettes see them, in its order.
+pub fn tagged_clips(ready: &ReadyLibrary) -> Vec<TaggedClip<'_>> {
+    let clips = ready.library.clips.clips().iter();
+    clips.map(|clip| (clip.id.as_str(), clip.tags.as_slice())).collect()
+}
+
+/// Whether the search may use a clip. A palette with a pattern that is none has no clip, as the
+/// search refuses it; for many clips, ask a [`Matcher`].
+pub fn is_in_palette(palette: Option<&Palette>, clip: TaggedClip<'_>) -> bool {
+    Matcher::new(palette).is_ok_and(|matcher| matcher.has(clip))
+}
+
+/// How much of a tag is in use, as its check box shows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TagState {
+    /// Every clip with the tag.
+    All,
+    /// Some of them.
+    Some,
+    /// None of them.
+    None,
+}
+
+/// How much of a tag is in use.
+pub fn tag_state(palette: Option<&Palette>, clips: &[TaggedClip<'_>], tag: &str) -> TagState {
+    let Ok(matcher) = Matcher::new(palette) else { return TagState::None };
+    let tagged = clips.iter().filter(|(_, tags)| tags.iter().any(|own| own == tag));
+    let (mut n, mut n_in) = (0, 0);
+    for clip in tagged {
+        n += 1;
+        n_in += usize::from(matcher.has(*clip));
+    }
+    match n_in {
+        0 => TagState::None,
+        n_in if n_in == n => TagState::All,
+        _ => TagState::Some,
+    }
+}
+
+#[cfg(test)]
+mod tests;

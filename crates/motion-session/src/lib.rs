@@ -8,6 +8,8 @@
 //! that always runs is [`live`]. A [`Session`] ties these together: it is what a window has.
 
 pub mod error;
+pub(crate) mod import_job;
+pub mod import_report;
 pub mod library;
 pub mod library_info;
 pub mod library_job;

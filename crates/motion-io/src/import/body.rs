@@ -142,7 +142,12 @@ impl LibraryBody {
     pub(super) fn new(skeleton: Skeleton, bodies: &[Skeleton], clips: &[ImportedClip]) -> Self {
         let own = bodies.iter().zip(clips).filter(|(body, _)| **body == skeleton);
         let longest = own.map(|(_, clip)| &clip.motion).max_by_key(|motion| motion.n_frames());
-        let bind = BindPose::of(&skeleton, longest);
+        Self::standing_as(skeleton, longest)
+    }
+
+    /// The standing pose comes from a motion on `skeleton`, where the rest pose is none.
+    pub(super) fn standing_as(skeleton: Skeleton, motion: Option<&Motion>) -> Self {
+        let bind = BindPose::of(&skeleton, motion);
         Self { skeleton, bind }
     }
 

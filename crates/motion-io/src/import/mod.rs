@@ -12,6 +12,7 @@
 //! files give the same result, whatever the number of threads.
 
 mod body;
+mod each;
 mod inputs;
 mod motion_file;
 mod report;
@@ -34,6 +35,7 @@ use crate::diagnostic::{FileError, Warnings, quoted};
 use crate::limits::MAX_LIBRARY_FRAMES;
 use body::{Brought, LibraryBody};
 
+pub use each::{EachImported, Fate, FileFate, Joined, import_each};
 pub use inputs::{MOTION_EXTENSIONS, motion_files};
 pub use motion_file::{Facts, MotionFile, ReadOptions, read_motion_file};
 pub use report::{Report, ReportLine};
@@ -254,5 +256,7 @@ impl Imported {
     }
 }
 
+#[cfg(test)]
+mod each_tests;
 #[cfg(test)]
 mod tests;

@@ -12,7 +12,7 @@ use crate::guess::test_body::body;
 use motion_core::motion::Motion;
 
 /// A body that walks along +X with swinging joints, 40 frames.
-fn walk(skeleton: &Skeleton, fps: Fps, phase: f32) -> Motion {
+pub(super) fn walk(skeleton: &Skeleton, fps: Fps, phase: f32) -> Motion {
     let n_frames = 40;
     let rotations = (0..n_frames).flat_map(|f| {
         let angle = 0.3 * (0.2 * f as f32 + phase).sin();
@@ -23,25 +23,25 @@ fn walk(skeleton: &Skeleton, fps: Fps, phase: f32) -> Motion {
     Motion::new(fps, skeleton.n_joints(), positions, rotations).unwrap()
 }
 
-struct Folder(tempfile::TempDir);
+pub(super) struct Folder(tempfile::TempDir);
 
 impl Folder {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self(tempfile::tempdir().unwrap())
     }
 
-    fn path(&self) -> &Path {
+    pub(super) fn path(&self) -> &Path {
         self.0.path()
     }
 
-    fn text(&self, name: &str, text: &str) -> &Self {
+    pub(super) fn text(&self, name: &str, text: &str) -> &Self {
         let path = self.path().join(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::File::create(path).unwrap().write_all(text.as_bytes()).unwrap();
         self
     }
 
-    fn clip(&self, name: &str, skeleton: &Skeleton, phase: f32) -> &Self {
+    pub(super) fn clip(&self, name: &str, skeleton: &Skeleton, phase: f32) -> &Self {
         let motion = walk(skeleton, Fps::new(60.0).unwrap(), phase);
         self.text(name, &write(skeleton, &motion, &BvhWriteOptions::default()))
     }

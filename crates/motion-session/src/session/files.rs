@@ -47,6 +47,11 @@ impl Files {
         self.path.as_deref().unwrap_or(Path::new(sample::FILE_NAME))
     }
 
+    /// Where what has no file of its own is kept, if anywhere.
+    pub(super) fn state_folder(&self) -> Option<&Path> {
+        self.state_folder.as_deref()
+    }
+
     /// Another project, which is in this file; the last one's autosave goes.
     fn begin(&mut self, path: Option<PathBuf>, saved: Document, lock: Option<ProjectLock>) {
         self.forget();

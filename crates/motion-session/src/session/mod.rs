@@ -7,6 +7,7 @@
 
 mod autosave;
 mod files;
+mod importing;
 mod library_loading;
 mod project_lock;
 mod staging;
@@ -30,6 +31,8 @@ use crate::sample;
 use crate::selection::Selection;
 use autosave::Autosaver;
 pub use autosave::Recovery;
+use importing::Importing;
+pub use importing::{ImportChoices, ImportRefusal, ImportState, PresentLibrary};
 use library_loading::{LibraryLoading, LibraryWish};
 pub use project_lock::ProjectLock;
 pub use view_state::ViewState;
@@ -69,6 +72,7 @@ pub struct Session {
     view: ViewState,
     live: LiveSearch,
     library: LibraryLoading,
+    importing: Importing,
     submitted: Option<(Document, Phase)>,
     wake: Wake,
     remarks: Vec<String>,
@@ -95,6 +99,8 @@ pub struct Polled {
     pub frame: bool,
     /// The library has come, or how far it is has changed.
     pub library: bool,
+    /// The import has ended, or how far it is has changed.
+    pub import: bool,
 }
 
 impl Session {
@@ -112,6 +118,7 @@ impl Session {
             view,
             live: LiveSearch::start(Arc::clone(&wake))?,
             library: LibraryLoading::with_builtin(builtin),
+            importing: Importing::default(),
             submitted: None,
             wake,
             remarks: Vec::new(),
@@ -279,9 +286,11 @@ impl Session {
     /// To be called once a frame with the seconds since the last: takes in what the threads have
     /// done, moves playback, and sees to the autosave. Never waits.
     pub fn poll(&mut self, dt_secs: f64) -> Polled {
-        let library_was = self.library.state().clone();
+        let library_was = (self.library.state().clone(), self.library.progress().cloned());
+        let import = self.poll_import();
         self.remarks.extend(self.library.poll());
-        let library = *self.library.state() != library_was;
+        let library = (self.library.state(), self.library.progress())
+            != (&library_was.0, library_was.1.as_ref());
         if library {
             self.follow_document();
         }
@@ -292,7 +301,7 @@ impl Session {
         let frame = self.playback.advance(dt_secs);
         self.history.note_frame();
         self.keep(dt_secs);
-        Polled { snapshot, frame, library }
+        Polled { snapshot, frame, library, import }
     }
 
     /// Brings library and search to what the document asks now.
@@ -336,6 +345,8 @@ impl Session {
 
     /// Another project takes the place of this one.
     fn replace(&mut self, document: Document, view: ViewState) {
+        // Its clips were for the other one.
+        self.importing.cancel();
         self.history = History::new(document);
         self.selection.clear();
         self.view = view;
@@ -360,5 +371,7 @@ fn library_wish(document: &Document, path: &Path) -> LibraryWish {
     }
 }
 
+#[cfg(test)]
+mod library_tests;
 #[cfg(test)]
 mod tests;

@@ -12,7 +12,7 @@ use super::*;
 use crate::document::ConstraintRef;
 use crate::fixture::{ready_library, walk_to};
 
-fn session(state_folder: Option<&Path>) -> Session {
+pub(super) fn session(state_folder: Option<&Path>) -> Session {
     let options = SessionOptions {
         state_folder: state_folder.map(Path::to_owned),
         wake: Arc::new(|| ()),
@@ -22,14 +22,14 @@ fn session(state_folder: Option<&Path>) -> Session {
     Session::new(options).unwrap()
 }
 
-fn moved(x_m: f64) -> Command {
+pub(super) fn moved(x_m: f64) -> Command {
     let at = ConstraintRef::new(CharacterIdx(0), "end");
     Command::Move { at, position_m: [x_m, 4.0] }
 }
 
 /// Polls until it is as wanted.
 #[track_caller]
-fn until(session: &mut Session, what: &str, wanted: impl Fn(&Session) -> bool) {
+pub(super) fn until(session: &mut Session, what: &str, wanted: impl Fn(&Session) -> bool) {
     for _ in 0..4_000 {
         session.poll(0.0);
         if wanted(session) {
@@ -40,7 +40,7 @@ fn until(session: &mut Session, what: &str, wanted: impl Fn(&Session) -> bool) {
     panic!("never {what}: {:?}", session.state());
 }
 
-fn has_motion(session: &Session) -> bool {
+pub(super) fn has_motion(session: &Session) -> bool {
     session.shown().is_some_and(|shown| shown.take.made.is_some())
 }
 

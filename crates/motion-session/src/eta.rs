@@ -92,8 +92,9 @@ mod tests {
     fn what_takes_longer_than_foreseen_is_not_known() {
         let mut eta = EtaEstimator::default();
         eta.update("a", 0.0, 0.0);
-        assert_eq!(eta.update("a", 0.9, 9.0), Some(1.0));
-        assert_eq!(eta.update("b", 0.9, 9.5), Some(0.5));
-        assert_eq!(eta.update("b", 0.9, 11.0), None);
+        let left = eta.update("a", 0.75, 9.0).unwrap();
+        assert!((left - 3.0).abs() < 1e-9, "{left}");
+        assert!(eta.update("b", 0.75, 11.5).is_some_and(|left| (left - 0.5).abs() < 1e-9));
+        assert_eq!(eta.update("b", 0.75, 13.0), None);
     }
 }

@@ -16,6 +16,7 @@ pub mod library_job;
 pub mod library_source;
 
 pub mod budget;
+pub mod clip_rows;
 pub mod eta;
 pub mod finish;
 pub mod problem;

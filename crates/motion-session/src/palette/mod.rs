@@ -12,6 +12,7 @@ use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use motion_core::skeleton::mirror::MIRROR_SUFFIX;
 use motion_io::project_file::Palette;
 
+use crate::document::TakePiece;
 use crate::live::ReadyLibrary;
 pub use edit::{palette_with, palette_with_clips, palette_with_tag};
 
@@ -68,6 +69,30 @@ pub fn tagged_clips(ready: &ReadyLibrary) -> Vec<TaggedClip<'_>> {
 /// search refuses it; for many clips, ask a [`Matcher`].
 pub fn is_in_palette(palette: Option<&Palette>, clip: TaggedClip<'_>) -> bool {
     Matcher::new(palette).is_ok_and(|matcher| matcher.has(clip))
+}
+
+/// The clips that a take is made of though the palette does not have them, each once.
+///
+/// A take goes when a clip of it is switched off, but not the one that is looked at, nor a pinned
+/// one: those are to be marked with what this says.
+pub fn clips_outside(
+    palette: Option<&Palette>,
+    ready: &ReadyLibrary,
+    pieces: &[TakePiece],
+) -> Vec<String> {
+    let Ok(matcher) = Matcher::new(palette) else { return Vec::new() };
+    let set = &ready.library.clips;
+    let is_outside = |id: &str| {
+        let clip = set.by_id(id).map(|clip| set.clip(clip));
+        clip.is_some_and(|clip| !matcher.has((&clip.id, &clip.tags)))
+    };
+    let mut outside: Vec<String> = Vec::new();
+    for piece in pieces.iter().filter(|piece| is_outside(&piece.clip)) {
+        if !outside.contains(&piece.clip) {
+            outside.push(piece.clip.clone());
+        }
+    }
+    outside
 }
 
 /// How much of a tag is in use, as its check box shows it.

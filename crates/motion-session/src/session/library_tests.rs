@@ -90,7 +90,7 @@ fn a_folder_takes_the_place_of_the_built_in_library_in_one_step() {
     let broken = report.lines.iter().find(|line| line.path.ends_with("broken.bvh")).unwrap();
     assert_eq!(
         broken.text(),
-        "broken.bvh: refused: line 1: the file ends before MOTION; export the clip again"
+        "broken.bvh: refused: line 1: the file ends before MOTION; export it again, it is cut off"
     );
     assert!(
         report.text().contains("walk.bvh: skipped, the same as clip walk"),
@@ -182,7 +182,7 @@ fn what_is_cancelled_has_never_been() {
         session.poll(0.0);
         assert_eq!((session.document(), session.history().n_steps()), (&before, (0, 0)));
         session.begin_import(vec![walks.path().to_owned()], REPLACE).unwrap();
-        let other = crate::sample::sample().unwrap();
+        let other = sample::sample().unwrap();
         session.begin_new(&other);
         assert_eq!(*session.import(), ImportState::Cancelled, "another project");
     }
@@ -222,7 +222,7 @@ fn a_library_that_is_dropped_is_one_step_and_can_be_stopped() {
     let mut session = session(Some(state.path()));
     session.begin_import(vec![walks.path().to_owned()], REPLACE).unwrap();
     imported(&mut session, "imported");
-    let file = std::path::PathBuf::from(session.document().library());
+    let file = PathBuf::from(session.document().library());
     session.undo();
     let before = session.library().unwrap().clone();
     assert!(session.use_library(&walks.path().join("walk.bvh")).is_err());

@@ -6,6 +6,7 @@
 //! their own.
 
 mod autosave;
+mod clip_preview;
 mod files;
 mod importing;
 mod library_loading;
@@ -31,6 +32,7 @@ use crate::sample;
 use crate::selection::Selection;
 use autosave::Autosaver;
 pub use autosave::Recovery;
+pub use clip_preview::ClipPlace;
 use importing::Importing;
 pub use importing::{ImportChoices, ImportRefusal, ImportState, PresentLibrary};
 use library_loading::{LibraryLoading, LibraryWish};
@@ -73,6 +75,7 @@ pub struct Session {
     live: LiveSearch,
     library: LibraryLoading,
     importing: Importing,
+    previewed: Option<clip_preview::Previewed>,
     submitted: Option<(Document, Phase)>,
     wake: Wake,
     remarks: Vec<String>,
@@ -119,6 +122,7 @@ impl Session {
             live: LiveSearch::start(Arc::clone(&wake))?,
             library: LibraryLoading::with_builtin(builtin),
             importing: Importing::default(),
+            previewed: None,
             submitted: None,
             wake,
             remarks: Vec::new(),
@@ -373,5 +377,9 @@ fn library_wish(document: &Document, path: &Path) -> LibraryWish {
 
 #[cfg(test)]
 mod library_tests;
+#[cfg(test)]
+mod memory_tests;
+#[cfg(test)]
+mod palette_tests;
 #[cfg(test)]
 mod tests;

@@ -55,9 +55,9 @@ pub(crate) enum ImportStopped {
     /// Somebody stopped it; nothing is left of it.
     Cancelled,
     /// No file became a clip: each for its own reason.
-    Nothing(ImportReport),
+    Nothing(Box<ImportReport>),
     /// What the files became could not be made into a library, or not be written.
-    Failed(String, ImportReport),
+    Failed(String, Box<ImportReport>),
 }
 
 impl From<Cancelled> for ImportStopped {
@@ -84,7 +84,7 @@ pub(crate) fn run(
     let imported = read(plan, present.as_ref(), cancel, board)?;
     let mut report = ImportReport::new(imported.files);
     let Some(skeleton) = imported.skeleton.filter(|_| !imported.clips.is_empty()) else {
-        return Err(ImportStopped::Nothing(report));
+        return Err(ImportStopped::Nothing(Box::new(report)));
     };
     board.report("preparing clips", READ, None);
     let new: Vec<(Named, Motion)> = imported
@@ -96,7 +96,9 @@ pub(crate) fn run(
     let (clips, content_hashes) = stood_on_the_floor(present, &skeleton, new);
     let set = match ClipSet::new(skeleton, plan.fps, clips) {
         Ok(set) => set,
-        Err(error) => return Err(ImportStopped::Failed(JobError::from(error).to_string(), report)),
+        Err(error) => {
+            return Err(ImportStopped::Failed(JobError::from(error).to_string(), Box::new(report)));
+        }
     };
     if cancel.is_cancelled() {
         return Err(ImportStopped::Cancelled);
@@ -114,13 +116,13 @@ pub(crate) fn run(
     let file = match built.map_err(JobError::from) {
         Ok(file) => file,
         Err(JobError::Cancelled(_)) => return Err(ImportStopped::Cancelled),
-        Err(error) => return Err(ImportStopped::Failed(error.to_string(), report)),
+        Err(error) => return Err(ImportStopped::Failed(error.to_string(), Box::new(report))),
     };
     board.report("writing the library", BUILT, None);
     let (path, hash) = match write(plan, &file, cancel) {
         Ok(written) => written,
         Err(_) if cancel.is_cancelled() => return Err(ImportStopped::Cancelled),
-        Err(error) => return Err(ImportStopped::Failed(error.to_string(), report)),
+        Err(error) => return Err(ImportStopped::Failed(error.to_string(), Box::new(report))),
     };
     board.report("laying out", WRITTEN, None);
     let library = Library::new(file, Some(hash));

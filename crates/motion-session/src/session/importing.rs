@@ -281,14 +281,14 @@ impl Session {
         self.importing.state = match result {
             Ok(done) => self.take_in(done, fps, choices),
             Err(ImportStopped::Cancelled) => ImportState::Cancelled,
-            Err(ImportStopped::Failed(sentence, report)) => ImportState::Failed(sentence, report),
+            Err(ImportStopped::Failed(sentence, report)) => ImportState::Failed(sentence, *report),
             Err(ImportStopped::Nothing(report)) => {
                 let all_there = report.totals.n_skipped > 0 && report.totals.n_refused == 0;
                 let sentence = match all_there {
                     true => "all of these clips are in the library already",
                     false => "none of the files could be imported; each line says why",
                 };
-                ImportState::Failed(sentence.to_owned(), report)
+                ImportState::Failed(sentence.to_owned(), *report)
             }
         };
         true

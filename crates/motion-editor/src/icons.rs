@@ -36,6 +36,10 @@ pub const SELECT: &str = "\u{e1c3}";
 pub const CHECKPOINT: &str = "\u{e123}";
 /// Something is wrong.
 pub const ALERT: &str = "\u{e077}";
+/// A folder of files.
+pub const FOLDER: &str = "\u{e0d7}";
+/// A file.
+pub const FILE: &str = "\u{e0c0}";
 /// Done.
 pub const DONE: &str = "\u{e06c}";
 /// At work.

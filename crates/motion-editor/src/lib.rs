@@ -23,6 +23,7 @@ pub mod take_card;
 pub mod ui_command;
 
 pub mod command_palette;
+pub mod dialogs;
 pub mod panels;
 pub mod shortcut_sheet;
 pub mod timeline;

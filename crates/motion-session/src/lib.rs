@@ -10,6 +10,7 @@
 pub mod error;
 pub(crate) mod import_job;
 pub mod import_report;
+pub mod folder_list;
 pub mod library;
 pub mod library_info;
 pub mod library_job;

@@ -10,8 +10,8 @@ fn without_display(dir: &Dir, args: &[&str]) -> (String, String) {
     for name in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
         alone.env_remove(name);
     }
-    let output = alone.output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    let output = alone.output().expect("the program was built before its tests");
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("what is printed is text");
     assert!(output.status.success(), "{}", text(&output.stderr));
     (text(&output.stdout), text(&output.stderr))
 }

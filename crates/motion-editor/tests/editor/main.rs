@@ -4,4 +4,5 @@
 mod author;
 mod device_loss;
 mod look;
+mod path_dialog;
 mod window;

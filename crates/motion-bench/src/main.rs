@@ -37,6 +37,9 @@ struct Args {
     /// memory
     #[arg(long, value_name = "plain|mirrored", hide = true)]
     build_once: Option<String>,
+    /// Works in the editor once and prints what that took
+    #[arg(long, value_name = "sample|cmu", hide = true)]
+    editor_once: Option<String>,
 }
 
 fn main() -> ExitCode {
@@ -53,6 +56,9 @@ fn run(args: &Args) -> anyhow::Result<()> {
     let source = Source::find();
     if let Some(which) = &args.build_once {
         return figures::build::build_once(&source, which == "mirrored");
+    }
+    if let Some(which) = &args.editor_once {
+        return figures::editor::editor_once(&source, which);
     }
     let names: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
     for name in &args.only {

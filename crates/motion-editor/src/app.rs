@@ -4,9 +4,12 @@ use std::time::Duration;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
+use motion_session::preferences::UI_SCALES;
 use motion_session::session::SessionError;
 
 use crate::command_palette::CommandPalette;
+use crate::files::{FileFlow, Next};
+use crate::guide::Guide;
 use crate::panels::library::LibraryPanel;
 use crate::panels::{inspector, status, takes, top_bar};
 use crate::shortcut_sheet::shortcut_sheet_ui;
@@ -15,6 +18,7 @@ use crate::theme;
 use crate::timeline::TimelinePanel;
 use crate::ui_command::{UiCommand, pressed};
 use crate::viewport::ViewportPanel;
+use crate::welcome::welcome_ui;
 
 /// The editor. It needs a window's device to show the view, and nothing else of a window.
 pub struct EditorApp {
@@ -26,6 +30,9 @@ pub struct EditorApp {
     library: LibraryPanel,
     palette: CommandPalette,
     sheet_is_open: bool,
+    guide: Guide,
+    /// Opening and saving.
+    pub files: FileFlow,
 }
 
 impl EditorApp {
@@ -35,7 +42,10 @@ impl EditorApp {
         options: EditorOptions,
     ) -> Result<Self, SessionError> {
         theme::install(&cc.egui_ctx);
+        let answers = options.answers.clone();
         let state = EditorState::new(options, &cc.egui_ctx)?;
+        let files = FileFlow::new(answers, &state);
+        cc.egui_ctx.set_zoom_factor(state.settings.ui_scale);
         theme::choose(&cc.egui_ctx, state.settings.theme);
         Ok(Self {
             state,
@@ -44,6 +54,8 @@ impl EditorApp {
             library: LibraryPanel::default(),
             palette: CommandPalette::default(),
             sheet_is_open: false,
+            guide: Guide::default(),
+            files,
         })
     }
 
@@ -56,7 +68,10 @@ impl EditorApp {
             self.sheet_is_open = false;
         }
         let mut commands = self.state.take_commands();
-        commands.extend(pressed(ctx));
+        // What asks is answered first.
+        if !self.files.is_asking() {
+            commands.extend(pressed(ctx));
+        }
         for command in commands {
             if self.state.run(command) {
                 continue;
@@ -64,19 +79,37 @@ impl EditorApp {
             match command {
                 UiCommand::Palette => self.palette.toggle(),
                 UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
+                UiCommand::Guide => self.guide.toggle(),
                 UiCommand::FitTimeline => self.timeline.fit(),
-                UiCommand::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+                other if self.files.run(other, &mut self.state, ctx) => {}
                 other => self.viewport.run(other),
             }
         }
     }
 
+    /// Answers of dialogs, files dropped on the window, and whether it may close.
+    fn see_to_files(&mut self, ctx: &egui::Context) {
+        let Self { files, state, .. } = self;
+        files.poll(state, ctx);
+        let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
+        let dropped = dropped.into_iter().map(|file| file.path().to_owned());
+        files.drop_in(dropped.collect(), state, ctx);
+        let is_closing = ctx.input(|input| input.viewport().close_requested());
+        if is_closing && !files.may_close() && state.session.is_changed() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+            files.request(Next::Close, state, ctx);
+        }
+    }
+
     /// Has the next frame come in time, though nobody touches anything.
     fn wake_again(&mut self, ctx: &egui::Context, dt_secs: f64) {
-        if self.state.is_playing() {
+        if self.state.advance_preview(dt_secs) || self.state.is_playing() {
             ctx.request_repaint();
         }
-        let word_ends = self.state.notices.advance(dt_secs);
+        let state = &mut self.state;
+        state.settings.ui_scale = ctx.zoom_factor().clamp(*UI_SCALES.start(), *UI_SCALES.end());
+        state.remember(dt_secs);
+        let word_ends = state.notices.advance(dt_secs);
         // An autosave comes due.
         let at_risk = self.state.session.is_changed().then_some(1.0);
         let next_secs = word_ends.into_iter().chain(at_risk).reduce(f64::min);
@@ -98,26 +131,31 @@ impl EditorApp {
             .exact_size(theme::STATUS_BAR_HEIGHT)
             .frame(bar)
             .show(ui, |ui| status::status_ui(ui, state, self.viewport.adapter_name()));
-        if state.settings.timeline_open {
-            Panel::bottom("timeline")
+        if state.settings.timeline.open {
+            let size = state.settings.timeline.size_pt.unwrap_or(216.0);
+            let shown = Panel::bottom("timeline")
                 .resizable(true)
-                .default_size(216.0)
+                .default_size(size)
                 .size_range(150.0..=480.0)
                 .frame(Frame::new().fill(p.panel))
                 .show(ui, |ui| self.timeline.ui(ui, state));
+            state.settings.timeline.size_pt = Some(shown.response.rect.height());
         }
-        if state.settings.left_open {
-            Panel::left("library")
+        if state.settings.left.open {
+            let size = state.settings.left.size_pt.unwrap_or(248.0);
+            let shown = Panel::left("library")
                 .resizable(true)
-                .default_size(248.0)
+                .default_size(size)
                 .size_range(180.0..=420.0)
                 .frame(side)
                 .show(ui, |ui| self.library.ui(ui, state));
+            state.settings.left.size_pt = Some(shown.response.rect.width());
         }
-        if state.settings.right_open {
-            Panel::right("takes")
+        if state.settings.right.open {
+            let size = state.settings.right.size_pt.unwrap_or(320.0);
+            let shown = Panel::right("takes")
                 .resizable(true)
-                .default_size(320.0)
+                .default_size(size)
                 .size_range(240.0..=520.0)
                 .frame(side)
                 .show(ui, |ui| {
@@ -133,6 +171,7 @@ impl EditorApp {
                         .auto_shrink(false)
                         .show(ui, |ui| inspector::inspector_ui(ui, state));
                 });
+            state.settings.right.size_pt = Some(shown.response.rect.width());
         }
         CentralPanel::no_frame().show(ui, |ui| self.viewport.ui(ui, state));
     }
@@ -144,11 +183,20 @@ impl eframe::App for EditorApp {
         let dt_secs = f64::from(ctx.input(|input| input.unstable_dt));
         self.state.poll(dt_secs);
         self.do_commands(&ctx);
+        self.see_to_files(&ctx);
         self.panels_ui(ui);
         if let Some(command) = self.palette.ui(ui, &self.state) {
             self.state.ask(command);
         }
         shortcut_sheet_ui(ui, &mut self.sheet_is_open);
+        let view = self.viewport.rect();
+        welcome_ui(ui, view, &mut self.state);
+        self.guide.ui(ui, view, &mut self.state);
+        self.files.ui(ui, &mut self.state);
         self.wake_again(&ctx, dt_secs);
+    }
+
+    fn on_exit(&mut self) {
+        self.state.close();
     }
 }

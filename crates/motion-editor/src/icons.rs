@@ -40,6 +40,8 @@ pub const ALERT: &str = "\u{e077}";
 pub const FOLDER: &str = "\u{e0d7}";
 /// A file.
 pub const FILE: &str = "\u{e0c0}";
+/// Closes.
+pub const CLOSE: &str = "\u{e1b2}";
 /// Done.
 pub const DONE: &str = "\u{e06c}";
 /// At work.

@@ -14,7 +14,6 @@ pub mod window;
 
 pub mod state;
 
-pub mod clip_line;
 pub mod mark;
 pub mod notices;
 pub mod project_source;
@@ -24,10 +23,13 @@ pub mod ui_command;
 
 pub mod command_palette;
 pub mod dialogs;
+pub mod files;
+pub mod guide;
 pub mod panels;
 pub mod shortcut_sheet;
 pub mod timeline;
 pub mod viewport;
+pub mod welcome;
 
 pub mod icons;
 pub mod theme;

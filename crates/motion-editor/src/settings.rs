@@ -1,26 +1,11 @@
 //! How the window is set up. Not part of any project, and not undone.
 
+use std::path::PathBuf;
+
 use motion_scene::color::Theme;
+use motion_session::preferences::{NavigationScheme, PanelLayout, Preferences};
 
-/// Which mouse buttons move the camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Navigation {
-    /// Middle button orbits, Shift+middle pans, wheel zooms.
-    #[default]
-    Blender,
-    /// Alt with the left button orbits, with the middle one pans, with the right one zooms.
-    Industry,
-}
-
-impl Navigation {
-    /// What it is called.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Blender => "Blender",
-            Self::Industry => "Industry",
-        }
-    }
-}
+pub use motion_session::preferences::NavigationScheme as Navigation;
 
 /// What a press in the view does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -39,7 +24,9 @@ pub struct Settings {
     pub theme: Theme,
     /// The mouse in the view.
     pub navigation: Navigation,
-    /// What a press in the view does.
+    /// How large everything is.
+    pub ui_scale: f32,
+    /// What a press in the view does. It is not remembered.
     pub tool: Tool,
     /// The camera keeps to the character.
     pub follow: bool,
@@ -49,27 +36,101 @@ pub struct Settings {
     pub trail: bool,
     /// Other moments are shown.
     pub ghosts: bool,
-    /// The library is open.
-    pub left_open: bool,
-    /// Takes and inspector are open.
-    pub right_open: bool,
-    /// The timeline is open.
-    pub timeline_open: bool,
+    /// The library.
+    pub left: PanelLayout,
+    /// Takes and inspector.
+    pub right: PanelLayout,
+    /// The timeline.
+    pub timeline: PanelLayout,
+    /// Nothing moves that does not have to.
+    pub reduced_motion: bool,
+    /// Whether the welcome was seen and sent away.
+    pub welcome_seen: bool,
+    /// Where a file was last chosen.
+    pub last_folder: Option<PathBuf>,
+}
+
+const LEFT: &str = "library";
+const RIGHT: &str = "takes";
+const TIMELINE: &str = "timeline";
+const TRAIL: &str = "trail";
+const GHOSTS: &str = "ghosts";
+
+impl Settings {
+    /// As they were left.
+    pub fn of(p: &Preferences) -> Self {
+        Self {
+            theme: p.theme,
+            navigation: p.navigation,
+            ui_scale: p.ui_scale,
+            tool: Tool::Select,
+            follow: p.follow_character,
+            follow_best: p.follow_best,
+            trail: p.shows(TRAIL, true),
+            ghosts: p.shows(GHOSTS, false),
+            left: p.panel(LEFT),
+            right: p.panel(RIGHT),
+            timeline: p.panel(TIMELINE),
+            reduced_motion: p.reduced_motion,
+            welcome_seen: p.welcome_seen,
+            last_folder: p.last_folder.as_ref().map(PathBuf::from),
+        }
+    }
+
+    /// Writes them down where they are remembered.
+    pub fn put_into(&self, p: &mut Preferences) {
+        p.theme = self.theme;
+        p.navigation = self.navigation;
+        p.ui_scale = self.ui_scale;
+        p.follow_character = self.follow;
+        p.follow_best = self.follow_best;
+        p.show.insert(TRAIL.to_owned(), self.trail);
+        p.show.insert(GHOSTS.to_owned(), self.ghosts);
+        p.set_panel(LEFT, self.left);
+        p.set_panel(RIGHT, self.right);
+        p.set_panel(TIMELINE, self.timeline);
+        p.reduced_motion = self.reduced_motion;
+        p.welcome_seen = self.welcome_seen;
+        let folder = self.last_folder.as_ref();
+        p.last_folder = folder.and_then(|folder| Some(folder.to_str()?.to_owned()));
+    }
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            theme: Theme::Dark,
-            navigation: Navigation::Blender,
-            tool: Tool::Select,
-            follow: false,
-            follow_best: false,
-            trail: true,
-            ghosts: false,
-            left_open: true,
-            right_open: true,
-            timeline_open: true,
-        }
+        Self::of(&Preferences::default())
+    }
+}
+
+/// What a scheme is called.
+pub fn navigation_name(scheme: NavigationScheme) -> &'static str {
+    match scheme {
+        NavigationScheme::Blender => "Blender",
+        NavigationScheme::Industry => "Industry",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_down_comes_back() {
+        let settings = Settings {
+            theme: Theme::Light,
+            navigation: Navigation::Industry,
+            ui_scale: 1.5,
+            follow: true,
+            trail: false,
+            ghosts: true,
+            left: PanelLayout { open: false, size_pt: Some(300.0) },
+            reduced_motion: true,
+            welcome_seen: true,
+            last_folder: Some("/tmp".into()),
+            ..Settings::default()
+        };
+        let mut preferences = Preferences::default();
+        settings.put_into(&mut preferences);
+        assert_eq!(Settings::of(&preferences), settings);
     }
 }

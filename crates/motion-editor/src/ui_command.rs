@@ -5,6 +5,8 @@ mod enabled;
 mod keys;
 mod words;
 
+use motion_session::sample::SAMPLES;
+
 pub use keys::pressed;
 
 /// A command.
@@ -12,7 +14,16 @@ pub use keys::pressed;
 #[expect(missing_docs, reason = "words.rs says of each what it does, to users too")]
 pub enum UiCommand {
     // File.
+    New,
+    Open,
+    /// One of the projects that were open lately, from 0.
+    Recent(u8),
+    /// One of the program's own projects, from 0.
+    Sample(u8),
     Save,
+    SaveAs,
+    Import,
+    ImportFolder,
     Quit,
     // Edit.
     Undo,
@@ -58,6 +69,7 @@ pub enum UiCommand {
     Shake,
     FollowBest,
     // Help.
+    Guide,
     Palette,
     ShortcutSheet,
 }
@@ -65,11 +77,20 @@ pub enum UiCommand {
 /// A menu: its name, and groups of commands with a line between them.
 pub type Menu = (&'static str, Vec<Vec<UiCommand>>);
 
-/// The menus, from left to right. Every command is in one of them.
+/// The menus, from left to right. Every command is in one of them but [`UiCommand::Recent`].
 pub fn menus() -> Vec<Menu> {
     use UiCommand as C;
     vec![
-        ("File", vec![vec![C::Save], vec![C::Quit]]),
+        (
+            "File",
+            vec![
+                vec![C::New, C::Open],
+                vec![C::Save, C::SaveAs],
+                vec![C::Import, C::ImportFolder],
+                (0..SAMPLES.len() as u8).map(C::Sample).collect(),
+                vec![C::Quit],
+            ],
+        ),
         (
             "Edit",
             vec![vec![C::Undo, C::Redo], vec![C::Delete], vec![C::SelectTool, C::CheckpointTool]],
@@ -99,7 +120,7 @@ pub fn menus() -> Vec<Menu> {
                 vec![C::PauseSearch, C::Shake, C::FollowBest],
             ],
         ),
-        ("Help", vec![vec![C::Palette, C::ShortcutSheet]]),
+        ("Help", vec![vec![C::Guide], vec![C::Palette, C::ShortcutSheet]]),
     ]
 }
 

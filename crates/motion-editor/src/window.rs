@@ -61,6 +61,8 @@ impl Window {
                 .or_else(|_| save_for_recovery(&project, &fallback));
             if let Ok(path) = saved {
                 self.saved.set(path);
+                // It would be offered beside what is saved.
+                self.app.state.session.close();
             }
         }
         true
@@ -89,6 +91,10 @@ impl eframe::App for Window {
             std::panic::resume_unwind(Box::new(DeviceLost));
         }
         self.app.ui(ui, frame);
+    }
+
+    fn on_exit(&mut self) {
+        self.app.on_exit();
     }
 }
 

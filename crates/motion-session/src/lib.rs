@@ -8,9 +8,9 @@
 //! that always runs is [`live`]. A [`Session`] ties these together: it is what a window has.
 
 pub mod error;
+pub mod folder_list;
 pub(crate) mod import_job;
 pub mod import_report;
-pub mod folder_list;
 pub mod library;
 pub mod library_info;
 pub mod library_job;
@@ -47,7 +47,9 @@ pub use library::Library;
 pub use session::Session;
 // What a window must be able to name, though files are none of its business.
 pub use motion_io::diagnostic::{FileError, Warnings};
-pub use motion_io::project_file::{Constraint, ConstraintKind, Project, load as load_project};
+pub use motion_io::project_file::{
+    Constraint, ConstraintKind, Palette, Project, load as load_project,
+};
 pub use motion_io::report_file::{AlternativeReport, ConstraintReport, SeamReport};
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::step::{cargo, root};
 /// Where they are.
 const FOLDER: &str = "docs/pictures";
 /// The sample that `gaitway` alone authors.
-const SAMPLE: &str = "crates/motion-session/src/sample.gaitway";
+const SAMPLE: &str = "crates/motion-session/src/samples/corner.gaitway";
 /// Everybody who reads the documentation fetches them.
 const MOST_BYTES: u64 = 600_000;
 

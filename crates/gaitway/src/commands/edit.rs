@@ -5,11 +5,13 @@ use std::process::Command;
 
 use anyhow::Context as _;
 
+use motion_editor::dialogs::Answers;
 use motion_editor::project_source::ProjectSource;
 use motion_editor::run::{Closed, OpenError, run as open};
 use motion_editor::state::EditorOptions;
 use motion_io::diagnostic::Warnings;
 use motion_io::project_file;
+use motion_session::preferences::{config_folder, state_folder};
 
 use crate::output::{Console, Failure};
 
@@ -29,7 +31,7 @@ pub(crate) fn run(
         Some(work) => ProjectSource::Recovered { work, project: project.clone() },
         None => project.clone().map_or(ProjectSource::Sample, ProjectSource::File),
     };
-    let closed = open(EditorOptions::new(source)).map_err(|error| {
+    let closed = open(options(source)).map_err(|error| {
         let way_out = match error {
             OpenError::NoDisplay(_) => "use solve and render, which need none",
             OpenError::NoWindow(_) => "install a graphics driver, or use solve and render",
@@ -39,10 +41,20 @@ pub(crate) fn run(
     after(console, closed, project.as_deref())
 }
 
+/// An editor that remembers, and asks with the system's dialogs.
+fn options(source: ProjectSource) -> EditorOptions {
+    EditorOptions {
+        source,
+        state_folder: Some(state_folder()),
+        config_folder: Some(config_folder()),
+        answers: Answers::System,
+    }
+}
+
 /// Opens the editor on the built-in sample and waits until it is closed: then gives how that went.
 /// Fails where no window can be.
 pub(crate) fn open_sample(console: &Console) -> Result<Result<(), Failure>, OpenError> {
-    open(ProjectSource::Sample).map(|closed| after(console, closed, None))
+    open(options(ProjectSource::Sample)).map(|closed| after(console, closed, None))
 }
 
 /// Sees to what must be done after a window.

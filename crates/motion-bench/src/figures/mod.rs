@@ -5,6 +5,7 @@ mod assembly;
 pub(crate) mod build;
 mod candidates;
 mod correction;
+pub(crate) mod editor;
 mod film;
 mod first_acceptable;
 mod leaf_edges;
@@ -46,6 +47,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure { name: "assembly", measure: assembly::measure },
     Figure { name: "picture", measure: picture::measure },
     Figure { name: "film", measure: film::measure },
+    Figure { name: "editor", measure: editor::measure },
 ];
 
 /// What figures share; made when the first one asks for it.

@@ -2,7 +2,7 @@
 
 use egui::{Align, Layout, RichText, Ui};
 
-use crate::settings::Tool;
+use crate::settings::{Tool, navigation_name};
 use crate::state::EditorState;
 use crate::theme;
 
@@ -16,7 +16,7 @@ pub fn status_ui(ui: &mut Ui, state: &EditorState, adapter: Option<&str>) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.add_space(theme::GRID);
             ui.label(small(adapter.unwrap_or("nothing draws here").to_owned()));
-            ui.label(small(format!("{} navigation", state.settings.navigation.name())));
+            ui.label(small(format!("{} navigation", navigation_name(state.settings.navigation))));
         });
     });
 }

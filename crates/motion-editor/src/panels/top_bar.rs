@@ -16,7 +16,12 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
         ui.set_min_height(theme::TOP_BAR_HEIGHT);
         ui.add_space(theme::GRID);
         for (name, groups) in menus() {
-            ui.menu_button(name, |ui| menu_ui(ui, &groups, state));
+            ui.menu_button(name, |ui| {
+                menu_ui(ui, &groups, state);
+                if name == "File" {
+                    recent_ui(ui, state);
+                }
+            });
         }
         ui.add_space(2.0 * theme::GRID);
         workspace_ui(ui);
@@ -65,6 +70,26 @@ fn menu_ui(ui: &mut Ui, groups: &[Vec<C>], state: &mut EditorState) {
             }
         }
     }
+}
+
+/// Projects that were open lately.
+fn recent_ui(ui: &mut Ui, state: &mut EditorState) {
+    if state.recent.is_empty() {
+        return;
+    }
+    ui.separator();
+    ui.menu_button("Open again", |ui| {
+        ui.set_min_width(320.0);
+        for nth in 0..state.recent.len() {
+            let path = &state.recent[nth];
+            let name = path.file_stem().map(|name| name.to_string_lossy().into_owned());
+            let button = Button::new(name.unwrap_or_default());
+            if ui.add(button).on_hover_text(path.display().to_string()).clicked() {
+                state.ask(C::Recent(nth as u8));
+                ui.close();
+            }
+        }
+    });
 }
 
 /// There is one workspace so far.

@@ -5,22 +5,27 @@
 
 mod edit;
 mod playing;
+mod preview;
 mod run;
 mod showing;
 
 pub use playing::SPEEDS;
+pub use preview::ClipPreview;
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use motion_session::Session;
+use motion_session::clip_rows::{ClipRow, clip_rows};
 use motion_session::document::{CharacterIdx, TakeId};
-use motion_session::live::{SearchState, Wake};
+use motion_session::live::{ReadyLibrary, SearchState, Wake};
+use motion_session::preferences::PreferencesFile;
 use motion_session::selection::Selectable;
 use motion_session::session::{SessionError, SessionOptions};
 use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Role, Stage};
+use motion_session::{Palette, Session};
 
-use crate::clip_line::{ClipLine, clip_lines};
+use crate::dialogs::Answers;
 use crate::mark::{Mark, marks_of};
 use crate::notices::Notices;
 use crate::project_source::{Opened, ProjectSource};
@@ -33,15 +38,17 @@ pub struct EditorOptions {
     /// The project that is opened.
     pub source: ProjectSource,
     /// Where autosaves and locks are; without one there are none.
-    pub state_folder: Option<std::path::PathBuf>,
-    /// How the window is set up.
-    pub settings: Settings,
+    pub state_folder: Option<PathBuf>,
+    /// Where settings are remembered; without one they are the usual ones and are not.
+    pub config_folder: Option<PathBuf>,
+    /// Who answers questions for files.
+    pub answers: Answers,
 }
 
 impl EditorOptions {
     /// A project in a window as it is at first, which remembers nothing.
     pub fn new(source: ProjectSource) -> Self {
-        Self { source, state_folder: None, settings: Settings::default() }
+        Self { source, state_folder: None, config_folder: None, answers: Answers::Own }
     }
 }
 
@@ -53,6 +60,12 @@ pub struct EditorState {
     pub notices: Notices,
     /// How the window is set up.
     pub settings: Settings,
+    /// Where that is remembered.
+    preferences: Option<PreferencesFile>,
+    /// Projects that were open lately and are still there, the latest first.
+    pub recent: Vec<PathBuf>,
+    /// Whether another project has come that the view has not framed yet.
+    pub is_new_scene: bool,
     /// Takes of the active character that have a motion, in the gallery's order.
     pub cards: Vec<TakeCard>,
     /// The take that was shown before.
@@ -60,11 +73,19 @@ pub struct EditorState {
     /// Constraints of the active character, by frame.
     pub marks: Vec<Mark>,
     /// The library's clips.
-    pub clips: Vec<ClipLine>,
+    pub clips: Vec<ClipRow>,
+    /// What the clips were listed for.
+    clips_of: Option<(Option<Palette>, ReadyLibrary)>,
+    /// The clip that is played in the view because the pointer rests on it.
+    pub preview: Option<ClipPreview>,
     /// Everybody in the take that is shown, with what is asked of them.
     pub stage: Stage,
     /// What the pointer is over, in the view or on the timeline.
     pub hovered: Option<PickTarget>,
+    /// Whether newcomers are welcomed.
+    pub welcomes: bool,
+    /// How often something was exported.
+    pub n_exports: usize,
     /// Whether cards stay in their places because the pointer is over them.
     pub cards_are_held: bool,
     /// What was asked for since the last frame.
@@ -76,32 +97,76 @@ pub struct EditorState {
 impl EditorState {
     /// Opens a project and begins to search; where it cannot be read, the sample, and says why.
     pub fn new(options: EditorOptions, ctx: &egui::Context) -> Result<Self, SessionError> {
-        let EditorOptions { source, state_folder, settings } = options;
+        let EditorOptions { source, state_folder, config_folder, .. } = options;
+        let mut preferences = config_folder.as_deref().map(PreferencesFile::open);
+        let settings = preferences.as_ref().map(|file| Settings::of(file.get()));
+        let settings = settings.unwrap_or_default();
+        let recent = preferences.as_ref().map(|file| file.get().recent.shown());
         let for_search = ctx.clone();
         let wake: Wake = Arc::new(move || for_search.request_repaint());
         let mut session =
             Session::new(SessionOptions { state_folder, wake, builtin: None, project: None })?;
         let mut notices = Notices::default();
+        let odd = preferences.as_mut().map(PreferencesFile::take_remarks);
+        odd.into_iter().flatten().for_each(|text| notices.note(text));
         match source.open_in(&mut session) {
             Ok(Opened { remarks }) => remarks.into_iter().for_each(|text| notices.note(text)),
             Err(sentence) => notices.refuse(sentence),
         }
         session.search().follow_best(settings.follow_best);
         let stage = Stage::new(settings.theme, Vec::new());
-        Ok(Self {
+        // Who opens a project knows the window, and nobody wants a word they cannot send away.
+        let welcomes = source == ProjectSource::Sample && preferences.is_some();
+        let mut state = Self {
             session,
             notices,
             settings,
+            preferences,
+            recent: recent.unwrap_or_default(),
+            is_new_scene: false,
             cards: Vec::new(),
             shown_before: None,
             marks: Vec::new(),
             clips: Vec::new(),
+            clips_of: None,
+            preview: None,
             stage,
             hovered: None,
+            welcomes,
+            n_exports: 0,
             cards_are_held: false,
             commands: Vec::new(),
             wake: ctx.clone(),
-        })
+        };
+        if let Some(path) = state.session.path().map(Path::to_owned) {
+            state.note_recent(&path);
+        }
+        Ok(state)
+    }
+
+    /// A project was opened or saved.
+    pub fn note_recent(&mut self, path: &Path) {
+        let Some(preferences) = &mut self.preferences else { return };
+        preferences.change(|preferences| preferences.recent.note(path));
+        self.recent = preferences.get().recent.shown();
+    }
+
+    /// Remembers how the window is set up, a moment after that has changed.
+    pub fn remember(&mut self, dt_secs: f64) {
+        let Some(preferences) = &mut self.preferences else { return };
+        preferences.change(|preferences| self.settings.put_into(preferences));
+        preferences.poll(dt_secs);
+        preferences.take_remarks().into_iter().for_each(|text| self.notices.note(text));
+    }
+
+    /// The window closes, and its user was asked about unsaved work.
+    pub fn close(&mut self) {
+        self.session.close();
+        if let Some(preferences) = &mut self.preferences {
+            preferences.change(|preferences| self.settings.put_into(preferences));
+            // Nobody is there to be told any more.
+            drop(preferences.save());
+        }
     }
 
     /// Asks for a command; it is done at the beginning of the next frame.
@@ -121,11 +186,6 @@ impl EditorState {
         for remark in self.session.take_remarks() {
             self.notices.note(remark);
         }
-        if let Some(library) = self.session.library()
-            && (polled.library || self.clips.is_empty())
-        {
-            self.clips = clip_lines(library);
-        }
         if polled.snapshot || polled.library {
             let was_empty = self.cards.is_empty();
             self.refresh();
@@ -139,6 +199,7 @@ impl EditorState {
     /// Has what is shown say what session and document say. To be called after every change.
     pub fn refresh(&mut self) {
         let theme = self.settings.theme;
+        self.list_clips();
         self.cards = cards_of(&self.session, theme, &self.cards, self.cards_are_held);
         self.stage = self.session.stage(theme);
         // A miss of earlier constraints is no news, but while something is dragged new ones come
@@ -151,6 +212,19 @@ impl EditorState {
         let role = self.stage.roles.get(self.session.active().0);
         let misses = role.map_or(&[][..], |role| role.misses.as_slice());
         self.marks = marks_of(self.session.document(), self.session.active(), misses);
+    }
+
+    /// Lists the clips anew where library or palette are others than before.
+    fn list_clips(&mut self) {
+        let Some(library) = self.session.library() else { return };
+        let palette = self.session.document().palette();
+        let is_known = self.clips_of.as_ref().is_some_and(|(known_palette, known)| {
+            known.is(library) && known_palette.as_ref() == palette
+        });
+        if !is_known {
+            self.clips = clip_rows(library, palette);
+            self.clips_of = Some((palette.cloned(), library.clone()));
+        }
     }
 
     /// Where the search stands.

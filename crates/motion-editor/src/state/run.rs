@@ -102,9 +102,9 @@ impl EditorState {
             C::Follow => flip(&mut settings.follow),
             C::Trail => flip(&mut settings.trail),
             C::Ghosts => flip(&mut settings.ghosts),
-            C::LeftPanel => flip(&mut settings.left_open),
-            C::RightPanel => flip(&mut settings.right_open),
-            C::Timeline => flip(&mut settings.timeline_open),
+            C::LeftPanel => flip(&mut settings.left.open),
+            C::RightPanel => flip(&mut settings.right.open),
+            C::Timeline => flip(&mut settings.timeline.open),
             C::Theme => {
                 settings.theme = match settings.theme {
                     Theme::Dark => Theme::Light,

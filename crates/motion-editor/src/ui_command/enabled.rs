@@ -11,7 +11,6 @@ impl UiCommand {
     pub fn is_enabled(self, state: &EditorState) -> bool {
         let (n_undo, n_redo) = state.session.history().n_steps();
         match self {
-            Self::Save => state.session.path().is_some(),
             Self::Undo => n_undo > 0 || state.is_in_gesture(),
             Self::Redo => n_redo > 0,
             Self::Delete => {
@@ -49,9 +48,9 @@ impl UiCommand {
             Self::PauseSearch => state.session.is_search_paused(),
             Self::Trail => settings.trail,
             Self::Ghosts => settings.ghosts,
-            Self::LeftPanel => settings.left_open,
-            Self::RightPanel => settings.right_open,
-            Self::Timeline => settings.timeline_open,
+            Self::LeftPanel => settings.left.open,
+            Self::RightPanel => settings.right.open,
+            Self::Timeline => settings.timeline.open,
             Self::ShowTake(n) => {
                 let card = state.cards.get(usize::from(n).wrapping_sub(1));
                 card.is_some_and(|card| state.shown() == Some(card.id))

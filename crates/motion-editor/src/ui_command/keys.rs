@@ -41,7 +41,14 @@ impl UiCommand {
     /// Its keys, the usual one first.
     pub fn shortcuts(self) -> Vec<KeyboardShortcut> {
         match self {
+            Self::New => vec![ctrl(Key::N)],
+            Self::Open => vec![ctrl(Key::O)],
+            Self::Recent(_) => Vec::new(),
+            Self::Sample(_) => Vec::new(),
+            Self::Import => vec![ctrl(Key::I)],
+            Self::ImportFolder => vec![ctrl_shift(Key::I)],
             Self::Save => vec![ctrl(Key::S)],
+            Self::SaveAs => vec![ctrl_shift(Key::S)],
             Self::Quit => vec![ctrl(Key::Q)],
 
             Self::Undo => vec![ctrl(Key::Z)],
@@ -89,6 +96,7 @@ impl UiCommand {
             Self::Shake => vec![ctrl_shift(Key::Enter)],
             Self::FollowBest => Vec::new(),
 
+            Self::Guide => Vec::new(),
             Self::Palette => vec![ctrl(Key::P), bare(Key::F3), ctrl(Key::K)],
             Self::ShortcutSheet => vec![bare(Key::F1)],
         }

@@ -1,5 +1,7 @@
 //! What commands are called, and what is said when the pointer rests on them.
 
+use motion_session::sample::SAMPLES;
+
 use super::UiCommand;
 
 impl UiCommand {
@@ -7,6 +9,10 @@ impl UiCommand {
     pub fn label(self) -> String {
         match self {
             Self::ShowTake(n) => format!("Show take {n}"),
+            Self::Sample(nth) => {
+                let sample = SAMPLES.get(usize::from(nth)).map_or("", |sample| sample.title);
+                format!("Sample “{sample}”")
+            }
             other => other.words().0.to_owned(),
         }
     }
@@ -18,6 +24,17 @@ impl UiCommand {
 
     fn words(self) -> (&'static str, &'static str) {
         match self {
+            Self::New => ("New", "Begins a project: somebody who walks four metres"),
+            Self::Open => ("Open…", "Opens a project"),
+            Self::Recent(_) => ("Open again", "Opens a project that was open lately"),
+            Self::Sample(_) => ("Sample", "Opens a project that the program has with it"),
+            Self::SaveAs => ("Save as…", "Writes the project to another file, which it is in then"),
+            Self::Import => {
+                ("Import clips…", "Takes motion capture files into a library of your own")
+            }
+            Self::ImportFolder => {
+                ("Import a folder…", "Takes all motion capture files of a folder into a library")
+            }
             Self::Save => ("Save", "Writes the project to its own file"),
             Self::Quit => ("Quit", "Closes the window"),
 
@@ -83,6 +100,7 @@ impl UiCommand {
                 ("Follow the best take", "Shows a better take as soon as there is one")
             }
 
+            Self::Guide => ("Guide in five steps", "Shows the window by what is done in it"),
             Self::Palette => ("Find a command…", "Every command by its name"),
             Self::ShortcutSheet => ("Keyboard shortcuts", "Every key on one sheet"),
         }

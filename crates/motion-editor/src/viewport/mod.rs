@@ -45,7 +45,7 @@ pub struct ViewportPanel {
     picks: Picks,
     /// Where the pointer was when it was asked what is under it.
     asked_at: Option<Pos2>,
-    size: Vec2,
+    rect: Rect,
     /// How often the window is drawn while something moves, smoothed.
     fps: Option<f32>,
 }
@@ -61,7 +61,7 @@ impl ViewportPanel {
             gesture: Gesture::default(),
             picks: Picks::default(),
             asked_at: None,
-            size: Vec2::ZERO,
+            rect: Rect::ZERO,
             fps: None,
         }
     }
@@ -95,6 +95,11 @@ impl ViewportPanel {
         self.canvas.as_ref().map_or(0, Canvas::n_drawn)
     }
 
+    /// Where it was drawn last.
+    pub fn rect(&self) -> Rect {
+        self.rect
+    }
+
     /// Does a command that moves the camera.
     pub fn run(&mut self, command: UiCommand) {
         match command {
@@ -125,7 +130,7 @@ impl ViewportPanel {
         let size = ui.available_size().max(Vec2::splat(1.0));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, LABEL));
-        self.size = size;
+        self.rect = rect;
         self.measure_fps(ui, state);
         if !self.gesture.ui(ui, &response, &self.camera, state) {
             let scheme = state.settings.navigation;
@@ -154,14 +159,15 @@ impl ViewportPanel {
     }
 
     /// Frames and follows.
-    fn keep_up(&mut self, state: &EditorState) {
+    fn keep_up(&mut self, state: &mut EditorState) {
+        self.frame_all |= std::mem::take(&mut state.is_new_scene);
         if state.stage.actors.is_empty() {
             return;
         }
         if self.frame_all
             && let Some(bounds) = whole_motion(&state.stage, &state.marks)
         {
-            let viewport = Viewport::new(self.size.x, self.size.y);
+            let viewport = Viewport::new(self.rect.width(), self.rect.height());
             self.camera.frame(&bounds, viewport, MARGIN);
             self.frame_all = false;
         }

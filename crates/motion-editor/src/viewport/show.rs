@@ -1,6 +1,7 @@
 //! The scene of a moment, with what is hovered and selected marked.
 
-use motion_scene::body::{Emphasis, PickId};
+use motion_scene::body::{Emphasis, Look, PickId};
+use motion_scene::color::ColorRole;
 use motion_session::selection::Selectable;
 use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Show, Staged};
@@ -9,6 +10,8 @@ use crate::state::EditorState;
 
 /// Poses of the same motion at other times.
 const N_GHOSTS: usize = 7;
+/// A clip that is only looked at must not pass for a take.
+const PREVIEW_ALPHA: f32 = 0.45;
 
 /// What is to be seen now; nothing while there is no take.
 pub fn staged(state: &EditorState) -> Option<Staged> {
@@ -21,6 +24,10 @@ pub fn staged(state: &EditorState) -> Option<Staged> {
         ghosts: if state.settings.ghosts { N_GHOSTS } else { 0 },
     };
     let mut staged = state.stage.scene_at(state.frame(), show);
+    if let Some(preview) = &state.preview {
+        let color = ColorRole::Pose.color(state.settings.theme).with_alpha(PREVIEW_ALPHA);
+        staged.scene.bodies.push(preview.actor.body_at(preview.frame, Look::Ghost(color)));
+    }
     // What is selected is said last, so that it shows under the pointer too.
     if let Some(hovered) = state.hovered {
         let hovered = whole(hovered);

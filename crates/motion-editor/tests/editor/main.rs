@@ -3,6 +3,7 @@
 
 mod author;
 mod device_loss;
+mod files;
 mod look;
 mod path_dialog;
 mod window;

@@ -176,7 +176,7 @@ impl Session {
 
     /// Ends the session; unsaved changes are given up, since the user was asked. A session that is
     /// only dropped leaves them for [`recoveries`](Self::recoveries).
-    pub fn close(mut self) {
+    pub fn close(&mut self) {
         self.files.forget();
     }
 

@@ -1,0 +1,116 @@
+//! A line for each clip.
+
+use egui::{
+    Align2, Key, Pos2, Rect, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
+};
+use motion_session::clip_rows::ClipRow;
+use motion_session::command::Command;
+use motion_session::palette::{palette_with, tagged_clips};
+
+use crate::icons;
+use crate::state::EditorState;
+use crate::theme;
+
+/// Half of a check box, points.
+const HALF_BOX_PT: f32 = 7.0;
+
+/// The list. The box at the left switches a clip on and off, a rest of the pointer plays it in the
+/// view, a click takes its pose for the pose tool.
+pub(super) fn clip_list_ui(ui: &mut Ui, found: &[ClipRow], state: &mut EditorState) {
+    let used: Vec<String> = match state.shown_card() {
+        Some(card) => card.lane.pieces.iter().map(|piece| piece.clip.clone()).collect(),
+        None => Vec::new(),
+    };
+    let mut hovered = None;
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let list = ScrollArea::vertical().auto_shrink(false);
+    list.show_rows(ui, theme::ROW_HEIGHT, found.len(), |ui, rows| {
+        for clip in &found[rows] {
+            let is_used = used.contains(&clip.id);
+            if line_ui(ui, clip, is_used, state) {
+                hovered = Some(clip.id.clone());
+            }
+        }
+    });
+    state.preview_clip(hovered);
+}
+
+/// Gives whether the pointer is over it.
+fn line_ui(ui: &mut Ui, clip: &ClipRow, is_used: bool, state: &mut EditorState) -> bool {
+    let palette = theme::of(ui);
+    let size = Vec2::new(ui.available_width(), theme::ROW_HEIGHT);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let label = format!("Clip {}, {:.1} s", clip.id, clip.secs);
+    let is_on = clip.is_in_palette;
+    response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_on, &label));
+    let painter = ui.painter();
+    if response.hovered() || response.has_focus() {
+        painter.rect_filled(rect, f32::from(theme::RADIUS), palette.hovered);
+    }
+    let middle = Pos2::new(rect.left() + 2.0 + HALF_BOX_PT, rect.center().y);
+    box_ui(ui, middle, is_on);
+    let secs = format!("{:.1} s", clip.secs);
+    let right = Pos2::new(rect.right() - 6.0, rect.center().y);
+    let painter = ui.painter();
+    let number = painter.text(right, Align2::RIGHT_CENTER, secs, theme::caption(), palette.faint);
+    let mut left = rect.left() + 2.0 * HALF_BOX_PT + 10.0;
+    if is_used {
+        // The colour that it has on the ribbon.
+        let color = theme::over(theme::clip_color(&clip.id, &palette), palette.text, 0.25);
+        painter.circle_filled(Pos2::new(left + 4.0, rect.center().y), 4.0, color);
+        left += 14.0;
+    }
+    let words = match (is_on, is_used) {
+        (false, _) => theme::over(palette.panel, palette.faint, 0.6),
+        (true, true) => palette.text,
+        (true, false) => theme::over(palette.faint, palette.text, 0.45),
+    };
+    let room = Rect::from_x_y_ranges(left..=number.left() - 6.0, rect.y_range());
+    let at = Pos2::new(left, rect.center().y);
+    painter.with_clip_rect(room).text(at, Align2::LEFT_CENTER, &clip.id, theme::body(), words);
+    let is_over_box = |at: Pos2| at.x < rect.left() + 2.0 * HALF_BOX_PT + 8.0;
+    let by_key = response.has_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let by_click = response.clicked() && response.interact_pointer_pos().is_some_and(is_over_box);
+    if by_key || by_click {
+        switch(clip, state);
+    }
+    let is_hovered = response.hovered() || response.has_focus();
+    response.on_hover_ui(|ui| about_ui(ui, clip));
+    is_hovered
+}
+
+fn box_ui(ui: &Ui, middle: Pos2, is_on: bool) {
+    let palette = theme::of(ui);
+    let place = Rect::from_center_size(middle, Vec2::splat(2.0 * HALF_BOX_PT));
+    let line = Stroke::new(1.0, if is_on { palette.accent } else { palette.faint });
+    ui.painter().rect_stroke(place, 3.0, line, StrokeKind::Inside);
+    if is_on {
+        let font = egui::FontId { size: 11.0, ..theme::icon() };
+        let tick = icons::DONE;
+        ui.painter().text(middle, Align2::CENTER_CENTER, tick, font, palette.accent);
+    }
+}
+
+fn about_ui(ui: &mut Ui, clip: &ClipRow) {
+    ui.strong(clip.id.as_str());
+    ui.label(format!("{} frames, {:.1} s", clip.n_frames, clip.secs));
+    if let Some(subject) = &clip.subject {
+        ui.label(format!("Subject {subject}"));
+    }
+    if clip.is_mirror {
+        ui.label("A mirror image");
+    }
+    if !clip.tags.is_empty() {
+        ui.label(clip.tags.join(", "));
+    }
+    let in_use = if clip.is_in_palette { "May be used" } else { "May not be used" };
+    ui.label(format!("{in_use}; the box changes that"));
+}
+
+/// Lets the search use a clip, or no longer, as one step.
+fn switch(clip: &ClipRow, state: &mut EditorState) {
+    let Some(ready) = state.session.library() else { return };
+    let present = state.session.document().palette();
+    let palette = palette_with(present, &tagged_clips(ready), &clip.id, !clip.is_in_palette);
+    state.apply(&Command::SetPalette { palette });
+}

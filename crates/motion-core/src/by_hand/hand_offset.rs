@@ -85,20 +85,20 @@ pub struct HandOffset {
 /// Moves hands and feet; all offsets of a limb are one move.
 pub(super) fn move_hands(offsets: &[HandOffset], skeleton: &Skeleton, motion: &mut Motion) {
     let offsets: Vec<&HandOffset> = offsets.iter().filter(|o| o.shift_m.is_finite()).collect();
-    let yaw_rad = match offsets.iter().any(|offset| offset.space == Space::Torso) {
-        true => yaw_series_rad(motion),
-        false => Vec::new(),
-    };
+    if offsets.is_empty() {
+        return;
+    }
+    let yaw_rad = yaw_series_rad(motion);
     let mut posed = Posed::default();
     for limb in Limb::ALL {
         let own: Vec<&&HandOffset> = offsets.iter().filter(|offset| offset.limb == limb).collect();
         let Some(chain) = LimbChain::new(skeleton, limb).filter(|_| !own.is_empty()) else {
             continue;
         };
-        for frame in 0..motion.n_frames() {
+        for (frame, &yaw_rad) in yaw_rad.iter().enumerate() {
             let in_world = |offset: &HandOffset| match offset.space {
                 Space::World => offset.shift_m,
-                Space::Torso => Quat::from_rotation_y(yaw_rad[frame]) * offset.shift_m,
+                Space::Torso => Quat::from_rotation_y(yaw_rad) * offset.shift_m,
             };
             let touching = own.iter().filter(|offset| offset.stretch.touches(frame));
             let shift_m: Vec3 =

@@ -8,9 +8,9 @@
 //! that always runs is [`live`]. A [`Session`] ties these together: it is what a window has.
 
 pub mod error;
+pub mod folder_list;
 pub(crate) mod import_job;
 pub mod import_report;
-pub mod folder_list;
 pub mod library;
 pub mod library_info;
 pub mod library_job;

@@ -161,6 +161,9 @@ pub struct ConstraintReport {
     /// Turn from the wanted heading.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heading_error_deg: Option<f64>,
+    /// Difference from the wanted velocity, of a joint that is to have one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub velocity_error_m_s: Option<f64>,
     /// How many frames late (positive) or early it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame_error: Option<i64>,
@@ -315,6 +318,7 @@ mod tests {
                         position_error_m: Some(0.11),
                         heading_error_deg: Some(3.2),
                         frame_error: Some(-1),
+                        ..ConstraintReport::default()
                     }],
                     found_at_s: Some(0.21),
                     files: vec!["A-1.bvh".to_owned()],

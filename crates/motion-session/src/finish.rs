@@ -1,8 +1,14 @@
 //! From a path that was found to a motion and what the report says of it.
 
-use motion_core::assemble::{Assembled, Assembler, BodyTarget, Plan, Policies};
+mod reached;
+
+use std::sync::Arc;
+
+use motion_core::assemble::{Assembler, BodyTarget, Plan, Policies};
+use motion_core::by_hand::{self, ByHand};
 use motion_core::constraint::BodyError;
-use motion_core::ground::GroundTrack;
+use motion_core::floor::Soles;
+use motion_core::ground::{Contacts, GroundTrack};
 use motion_core::measure::{Support, measure};
 use motion_core::motion::Motion;
 use motion_core::units::FrameIdx;
@@ -17,12 +23,29 @@ use crate::solve_job::Alternative;
 #[derive(Clone, Debug)]
 pub struct Finished {
     /// The motion, on the library's skeleton.
-    pub motion: Motion,
+    pub motion: Arc<Motion>,
+    /// The motion without what is changed by hand; `None` where nothing is.
+    pub before_hand: Option<Arc<Motion>>,
+    /// Which frame of `before_hand` each frame shows; `None` where it is not retimed.
+    pub source_frames: Option<Arc<[f64]>>,
     /// What the report says of it, but for the files.
     pub report: AlternativeReport,
 }
 
-/// Makes the motion of `alternative`. `rank` counts from 1, the best.
+/// A take put together and corrected, before anything is laid over it.
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    motion: Arc<Motion>,
+    contacts: Vec<Contacts>,
+    levels_m: Vec<f32>,
+    soles: Soles,
+    source_slide_cm_per_s: Option<f64>,
+    /// Without what is measured on the finished motion.
+    report: AlternativeReport,
+}
+
+/// Makes the motion of `alternative`, with what is changed by hand on it. `rank` counts from 1, the
+/// best.
 ///
 /// `None` only where the path is not of this library.
 pub fn finish(
@@ -30,8 +53,23 @@ pub fn finish(
     assembler: &Assembler<'_>,
     character: &CharacterProblem,
     alternative: &Alternative,
+    by_hand: Option<&ByHand>,
     rank: u32,
 ) -> Option<Finished> {
+    let assembly = assemble(library, assembler, character, alternative, rank)?;
+    Some(assembly.finish(library, character, by_hand))
+}
+
+/// Puts the take of `alternative` together and corrects it.
+///
+/// `None` only where the path is not of this library.
+pub fn assemble(
+    library: &Library,
+    assembler: &Assembler<'_>,
+    character: &CharacterProblem,
+    alternative: &Alternative,
+    rank: u32,
+) -> Option<Assembly> {
     let Alternative { path, judgement, .. } = alternative;
     let (graph, clips) = (&library.graph, &library.clips);
     let pieces = path.pieces(graph);
@@ -51,16 +89,12 @@ pub fn finish(
         bridge: graph.forest.is_bridge(cut),
     });
     let sources = pieces.iter().map(|piece| piece.clip);
-    let source_slide = source_foot_slide_cm_per_s(clips, sources);
+    let source_slide_cm_per_s = source_foot_slide_cm_per_s(clips, sources);
     let pieces = pieces.iter().map(|piece| PieceReport {
         clip: clips.clip(piece.clip).id.clone(),
         from: piece.from.0,
         to: piece.to.0,
     });
-    let support = Support::of_assembled(&made, assembler.soles());
-    let quality = measure(clips.skeleton(), &made.motion, Some(&support));
-    let mut quality = quality_report(&quality);
-    quality.source_foot_slide_cm_per_s = source_slide;
     let terms = judgement.terms;
     let report = AlternativeReport {
         rank,
@@ -76,12 +110,69 @@ pub fn finish(
         pieces: pieces.collect(),
         seams: seams.collect(),
         raw: constraint_reports(character, &judgement.body),
-        final_: constraint_reports(character, &final_errors(character, &made)),
-        quality: Some(quality),
+        final_: Vec::new(),
+        quality: None,
         found_at_s: Some(alternative.found_at_s),
         files: Vec::new(),
     };
-    Some(Finished { motion: made.motion, report })
+    Some(Assembly {
+        motion: Arc::new(made.motion),
+        contacts: made.contacts,
+        levels_m: made.levels_m,
+        soles: assembler.soles(),
+        source_slide_cm_per_s,
+        report,
+    })
+}
+
+impl Assembly {
+    /// The finished motion, with what is changed by hand on it and everything measured on that.
+    ///
+    /// Frames of constraints and cuts are then those of the retimed motion.
+    pub fn finish(
+        &self,
+        library: &Library,
+        character: &CharacterProblem,
+        by_hand: Option<&ByHand>,
+    ) -> Finished {
+        let skeleton = library.clips.skeleton();
+        let by_hand = by_hand.filter(|layer| !layer.is_empty());
+        let source_frames: Option<Arc<[f64]>> = by_hand
+            .filter(|layer| !layer.retime.is_identity())
+            .map(|layer| layer.retime.source_frames(self.motion.n_frames()).into());
+        let motion = match by_hand {
+            Some(layer) => Arc::new(by_hand::apply(layer, skeleton, &self.motion)),
+            None => Arc::clone(&self.motion),
+        };
+        let (mut contacts, mut levels_m) = (self.contacts.clone(), self.levels_m.clone());
+        let mut report = self.report.clone();
+        if let Some(frames) = source_frames.as_deref() {
+            contacts = frames.iter().map(|at| self.contacts[at.round() as usize]).collect();
+            levels_m = frames.iter().map(|&at| between(&self.levels_m, at)).collect();
+            let last = frames.len().saturating_sub(1);
+            for seam in &mut report.seams {
+                let shown = frames.partition_point(|&at| at < f64::from(seam.frame)).min(last);
+                seam.frame = u32::try_from(shown).unwrap_or(u32::MAX);
+            }
+        }
+        let track = GroundTrack::new(&motion, &levels_m, contacts.clone());
+        let support = Support { levels_m, contacts, soles: self.soles };
+        let mut quality = quality_report(&measure(skeleton, &motion, Some(&support)));
+        quality.source_foot_slide_cm_per_s = self.source_slide_cm_per_s;
+        report.frames = u32::try_from(motion.n_frames()).unwrap_or(u32::MAX);
+        report.quality = Some(quality);
+        report.final_ = constraint_reports(character, &final_errors(character, &track));
+        report.final_.extend(reached::reports(character, library, &motion, &track));
+        let before_hand = by_hand.map(|_| Arc::clone(&self.motion));
+        Finished { motion, before_hand, source_frames, report }
+    }
+}
+
+/// The level between two frames' levels, metres.
+fn between(levels_m: &[f32], at: f64) -> f32 {
+    let frame = at.floor() as usize;
+    let (a, b) = (levels_m[frame], levels_m[(frame + 1).min(levels_m.len() - 1)]);
+    a + (b - a) * (at - at.floor()) as f32
 }
 
 /// The number as people write it: 0.1, where f64 would show what f32 makes of it
@@ -115,14 +206,14 @@ fn targets(character: &CharacterProblem, n_frames: u32) -> Vec<BodyTarget> {
     targets
 }
 
-fn final_errors(character: &CharacterProblem, made: &Assembled) -> Vec<BodyError> {
-    let track = GroundTrack::new(&made.motion, &made.levels_m, made.contacts.clone());
-    let n_frames = made.motion.n_frames() as u32;
+fn final_errors(character: &CharacterProblem, track: &GroundTrack) -> Vec<BodyError> {
+    let n_frames = track.world_from_torso.len() as u32;
     let body = &character.problem.wishes.body;
     body.iter()
         .enumerate()
         .map(|(nth, constraint)| {
-            let frame = read_at(character, nth, n_frames);
+            // A motion that is shorter by hand is where it ends, and early.
+            let frame = read_at(character, nth, n_frames).min(n_frames - 1);
             let at = track.world_from_torso[frame as usize];
             constraint.error(at, frame as i32 - constraint.frame as i32)
         })
@@ -143,6 +234,7 @@ pub(crate) fn constraint_reports(
             position_error_m: Some(digits_of(error.position_m)),
             heading_error_deg: Some(digits_of(error.heading_rad.to_degrees())),
             frame_error: Some(i64::from(error.frames)),
+            ..ConstraintReport::default()
         })
         .collect()
 }

@@ -20,6 +20,7 @@ pub mod budget;
 pub mod clip_rows;
 pub mod eta;
 pub mod finish;
+pub mod hand_layer;
 pub mod problem;
 pub mod progress;
 pub mod project_job;

@@ -3,10 +3,13 @@
 
 use std::path::Path;
 
-use glam::Vec2;
-use motion_core::constraint::{BodyConstraint, LengthMode, LengthWish};
+use glam::{DVec3, Vec2};
+use motion_core::constraint::{
+    BodyConstraint, JointConstraint, LengthMode, LengthWish, PoseConstraint,
+};
 use motion_core::score::{Weights, Wishes};
 use motion_core::search::Problem;
+use motion_core::units::FrameIdx;
 use motion_io::diagnostic::FileError;
 use motion_io::project_file::{self, Character, Constraint, ConstraintKind, Palette, Project};
 
@@ -22,6 +25,11 @@ pub struct CharacterProblem {
     pub problem: Problem,
     /// Ids of the body constraints, in the problem's order.
     pub body_ids: Vec<String>,
+    /// Joints that are to be somewhere, by their constraints' ids. The search does not consider
+    /// them; how far off they are is measured.
+    pub joints: Vec<(String, JointConstraint)>,
+    /// Poses that are to be taken, likewise.
+    pub poses: Vec<(String, PoseConstraint)>,
     /// Sentences on what the project asks and this version does not meet.
     pub left_out: Vec<String>,
 }
@@ -65,6 +73,7 @@ pub fn problem_of(
         body,
         weights: weights(project, &mut left_out),
     };
+    let (joints, poses) = measured(character, library, &mut left_out);
     let problem = Problem { wishes, allowed_clips, bridges };
     problem.check().map_err(|error| {
         let text = error.to_string();
@@ -72,7 +81,51 @@ pub fn problem_of(
         let what = format!("character {:?}: {what}", character.name);
         FileError::new(project_path, what, what_to_do)
     })?;
-    Ok(CharacterProblem { name: character.name.clone(), problem, body_ids, left_out })
+    let name = character.name.clone();
+    Ok(CharacterProblem { name, problem, body_ids, joints, poses, left_out })
+}
+
+/// Joints and poses that are asked for, as far as body and library have them.
+#[expect(clippy::type_complexity, reason = "two lists for two fields, used once")]
+fn measured(
+    character: &Character,
+    library: &Library,
+    left_out: &mut Vec<String>,
+) -> (Vec<(String, JointConstraint)>, Vec<(String, PoseConstraint)>) {
+    let (mut joints, mut poses) = (Vec::new(), Vec::new());
+    for Constraint { id, kind, weight, .. } in &character.constraints {
+        match kind {
+            ConstraintKind::Joint { frame, joint, position_m, velocity_m_s } => {
+                let Some(joint) = library.clips.skeleton().find(joint) else {
+                    left_out.push(format!(
+                        "joint constraint {id:?} speaks of {joint:?}, which this body does not have"
+                    ));
+                    continue;
+                };
+                let vector = |metres: [f64; 3]| DVec3::from(metres).as_vec3();
+                let wish = JointConstraint {
+                    frame: *frame,
+                    joint,
+                    position_m: vector(*position_m),
+                    velocity_m_s: velocity_m_s.map(vector),
+                    weight: weight.unwrap_or(1.0) as f32,
+                };
+                joints.push((id.clone(), wish));
+            }
+            ConstraintKind::Pose { frame, clip, clip_frame, .. } => {
+                let Some(clip) = library.clips.by_id(clip) else {
+                    left_out.push(format!(
+                        "pose constraint {id:?} is of clip {clip:?}, which is not in the library"
+                    ));
+                    continue;
+                };
+                let clip_frame = FrameIdx(*clip_frame);
+                poses.push((id.clone(), PoseConstraint { frame: *frame, clip, clip_frame }));
+            }
+            _ => {}
+        }
+    }
+    (joints, poses)
 }
 
 /// Sentences on what the project as a whole asks and this version does not meet.

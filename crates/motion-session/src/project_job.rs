@@ -8,6 +8,7 @@ use std::sync::Arc;
 use motion_core::assemble::Assembler;
 use motion_core::cancel::CancelToken;
 use motion_core::motion::Motion;
+use motion_core::path::Path as CutPath;
 use motion_core::search::SearchLibrary;
 use motion_core::units::Fps;
 use motion_io::diagnostic::{FileError, Warnings};
@@ -18,10 +19,13 @@ use motion_io::report_file::{
 
 use crate::Library;
 use crate::budget::Budget;
+use crate::document::{Document, TakeId};
 use crate::error::JobError;
 use crate::finish::{digits_of, finish};
+use crate::hand_layer::layer_on;
 use crate::library_job::{GraphChoices, OnProgress};
 use crate::library_source::{LibraryChoice, resolve};
+use crate::live::ready_library::named_pieces;
 use crate::problem::{left_out_of_project, problem_of};
 use crate::solve_job::{Found, SolveRequest, solve};
 use crate::unmet::unmet;
@@ -77,8 +81,11 @@ pub fn solve_project(
     on_progress: OnProgress<'_>,
 ) -> Result<Solved, JobError> {
     let ProjectRequest { project, path, .. } = request;
+    let project = *project;
     let seed = request.seed.unwrap_or(project.search.seed);
     let bridges = !request.no_bridges && project.search.bridges.unwrap_or(true);
+    // A take that is found again is shown with what was changed on it by hand.
+    let kept = Document::from_project(project.clone());
     let mut ready: BTreeMap<LibraryChoice, Ready> = BTreeMap::new();
     let mut problems = Vec::new();
     for character in &project.characters {
@@ -127,16 +134,25 @@ pub fn solve_project(
         let mut sentences = unmet(&character, &library, &found);
         sentences.extend(left_out_of_project(project));
         let assembler = Assembler::new(&library.clips);
+        let layer_of = |path: &CutPath| {
+            let take = TakeId::of(&named_pieces(&library, path));
+            let layer = kept.takes().get(&character.name, take)?.by_hand.as_ref()?;
+            Some(layer_on(layer, library.clips.skeleton()).0)
+        };
         let finished: Vec<_> = found
             .alternatives
             .iter()
             .zip(1..)
             .filter_map(|(alternative, rank)| {
-                finish(&library, &assembler, &character, alternative, rank)
+                let layer = layer_of(&alternative.path);
+                let layer = layer.as_ref();
+                finish(&library, &assembler, &character, alternative, layer, rank)
             })
             .collect();
-        let (motions, alternatives) =
-            finished.into_iter().map(|finished| (finished.motion, finished.report)).unzip();
+        let (motions, alternatives) = finished
+            .into_iter()
+            .map(|finished| (Arc::unwrap_or_clone(finished.motion), finished.report))
+            .unzip();
         report.iterations += found.progress.iteration;
         report.seconds = report.seconds.map(|seconds| seconds + found.seconds);
         report.characters.push(CharacterReport {

@@ -13,6 +13,7 @@
 
 mod frames;
 mod read;
+mod round_trip;
 mod to_motion;
 mod write;
 
@@ -27,6 +28,7 @@ use crate::atomic_write::atomic_write;
 use crate::diagnostic::FileError;
 
 pub use read::read;
+pub use round_trip::{RoundTrip, round_trip};
 pub use write::{BvhWriteOptions, EulerOrder, write};
 
 /// A coordinate axis.

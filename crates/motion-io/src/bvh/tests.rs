@@ -474,6 +474,24 @@ fn a_spin_is_written_without_jumps() {
 }
 
 #[test]
+fn what_comes_back_is_compared_joint_by_joint() {
+    let skeleton = two_arms();
+    let turns = (0..20).map(|nth| rotation::exp(Vec3::new(0.1, 0.2, -0.3) * nth as f32));
+    let motion = Motion::new(Fps::THIRTY, 5, vec![Vec3::Y; 4], turns.collect()).unwrap();
+    let options = BvhWriteOptions::default();
+    let text = write(&skeleton, &motion, &options);
+    let compare = |motion: &Motion| {
+        round_trip(text.as_bytes(), Path::new("a.bvh"), &skeleton, motion, &options)
+    };
+    assert!(compare(&motion).unwrap().worst_m < 1e-6);
+    let mut other = motion.clone();
+    other.root_positions_m_mut()[2].y += 0.25;
+    let worst = compare(&other).unwrap();
+    assert!((worst.worst_m - 0.25).abs() < 1e-5 && worst.frame == 2, "{worst:?}");
+    assert!(compare(&motion.slice(0, 3)).is_err(), "another number of frames");
+}
+
+#[test]
 fn odd_rates_survive() {
     let skeleton = two_arms();
     for fps in [30.0, 29.97, 30_000.0 / 1001.0, 120.0, 23.976, 59.94, 7.3, 1000.0, 1.0] {

@@ -90,7 +90,7 @@ fn frame_time(fps: Fps) -> String {
 }
 
 /// Joints depth first with their depth, siblings in the skeleton's order.
-fn nested_order(skeleton: &Skeleton) -> Vec<(JointIdx, usize)> {
+pub(super) fn nested_order(skeleton: &Skeleton) -> Vec<(JointIdx, usize)> {
     let joints = skeleton.joints();
     let mut children = vec![Vec::new(); joints.len()];
     for (idx, joint) in joints.iter().enumerate() {

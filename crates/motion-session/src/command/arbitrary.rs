@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
+use motion_core::by_hand::{Knot, Limb, Space};
 use motion_io::diagnostic::Warnings;
 use motion_io::project_file::{self, LengthMode, Palette, Shape, Tolerance};
 use proptest::prelude::*;
@@ -10,7 +11,9 @@ use proptest::sample::select;
 use proptest::test_runner::TestCaseError;
 
 use super::Command;
-use crate::document::{CharacterIdx, ConstraintRef, Document, ObstacleIdx, StoredTake, TakePiece};
+use crate::document::{
+    CharacterIdx, ConstraintRef, Document, HandChange, HandEdit, ObstacleIdx, StoredTake, TakePiece,
+};
 
 /// Sequences of commands.
 pub(crate) fn commands(n: Range<usize>) -> impl Strategy<Value = Vec<Command>> {
@@ -84,8 +87,38 @@ fn take() -> impl Strategy<Value = StoredTake> {
         name: None,
         pinned: false,
         pieces: vec![TakePiece { clip: "walk".to_owned(), from, to }],
+        by_hand: None,
         extra: Default::default(),
     })
+}
+
+fn hand_edit() -> impl Strategy<Value = HandEdit> {
+    let vector = prop_oneof![6 => -1.0..1.0f64, 1 => Just(f64::NAN), 1 => Just(90.0)];
+    let change = (text(), vector, select(vec![None, Some(Space::World), Some(Space::Torso)]))
+        .prop_map(|(joint, x, space)| match space {
+            None => HandChange::Joint { joint, turn_deg: [x, 0.1, -x] },
+            Some(space) => {
+                HandChange::Hand { limb: Limb::RightFoot, shift_m: [x, x / 3.0, 0.0], space }
+            }
+        });
+    (change, frame(), frame(), 0u32..20).prop_map(|(change, from, to, ease_in)| HandEdit {
+        change,
+        from,
+        to,
+        ease_in,
+        ease_out: 7,
+    })
+}
+
+fn knots() -> impl Strategy<Value = Vec<Knot>> {
+    prop::collection::vec((0u32..300, 0.0..300.0f64), 0..4).prop_map(|mut knots| {
+        knots.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        knots.into_iter().map(|(output, source)| Knot { output, source }).collect()
+    })
+}
+
+fn hand_id() -> impl Strategy<Value = String> {
+    select(vec!["joint-1", "hand-1", "hand-2", "none"]).prop_map(str::to_owned)
 }
 
 fn command() -> impl Strategy<Value = Command> {
@@ -168,10 +201,19 @@ fn command() -> impl Strategy<Value = Command> {
         (character(), take())
             .prop_map(|(character, take)| C::UnpinTake { character, take: take.id() }),
     ];
+    let by_hand = prop_oneof![
+        3 => (take(), hand_edit()).prop_map(|(take, edit)| C::AddByHand { take, edit }),
+        2 => (take(), hand_id(), hand_edit())
+            .prop_map(|(take, id, edit)| C::ChangeByHand { take, id, edit }),
+        1 => (take(), hand_id()).prop_map(|(take, id)| C::RemoveByHand { take, id }),
+        2 => (take(), prop::option::of(knots()))
+            .prop_map(|(take, knots)| C::RetimeByHand { take, knots }),
+        1 => take().prop_map(|take| C::ClearByHand { take }),
+    ];
     let removing = prop_oneof![
         at().prop_map(|at| C::Remove { at }),
         (0usize..3).prop_map(|nth| C::RemoveObstacle { obstacle: ObstacleIdx(nth) }),
         character().prop_map(|character| C::RemoveCharacter { character }),
     ];
-    prop_oneof![4 => adding, 5 => changing, 2 => removing]
+    prop_oneof![4 => adding, 5 => changing, 2 => by_hand, 2 => removing]
 }

@@ -15,6 +15,9 @@ pub enum CommandError {
     /// No such take.
     #[error("this take is not kept with the project; pin or name it first")]
     NoTake,
+    /// No such change by hand.
+    #[error("there is no change by hand {0:?} on this take any more")]
+    NoHandEdit(String),
     /// A motion needs a start and an end.
     #[error("a motion needs a start and an end; move this checkpoint instead of deleting it")]
     LastTwoCheckpoints,

@@ -42,6 +42,10 @@ impl Command {
             Self::PinTake { .. } => "Pin take",
             Self::UnpinTake { .. } => "Unpin take",
             Self::NameTake { .. } => "Name take",
+            Self::AddByHand { .. } | Self::ChangeByHand { .. } => "Change by hand",
+            Self::RemoveByHand { .. } => "Delete change by hand",
+            Self::RetimeByHand { .. } => "Retime take",
+            Self::ClearByHand { .. } => "Clear changes by hand",
         }
     }
 }

@@ -3,6 +3,7 @@
 //! [`apply`] makes a document of a document and a command, or says in a sentence why not. It
 //! depends on these two alone, so that commands can be stored, repeated and tested without a window.
 
+mod by_hand;
 mod character;
 mod check;
 mod constraint;
@@ -13,11 +14,14 @@ mod settings;
 #[cfg(test)]
 pub(crate) mod arbitrary;
 
+use motion_core::by_hand::Knot;
 use motion_io::project_file::{
     ConstraintKind, LengthMode, LockedPiece, Obstacle, Palette, Shape, Tolerance,
 };
 
-use crate::document::{CharacterIdx, ConstraintRef, Document, ObstacleIdx, StoredTake, TakeId};
+use crate::document::{
+    CharacterIdx, ConstraintRef, Document, HandEdit, ObstacleIdx, StoredTake, TakeId,
+};
 pub use error::CommandError;
 
 /// A change of a document. Frames are the motion's, from 0; `[x, z]` and `[x, y, z]` are metres in
@@ -218,6 +222,33 @@ pub enum Command {
         take: StoredTake,
         name: Option<String>,
     },
+
+    /// Change something by hand on a take; so it is kept with the project. Its id is the layer's
+    /// [`next_id`](crate::document::ByHand::next_id). For this and the next: a `take` as
+    /// [`Take::stored`](crate::live::Take::stored) gives it brings the layer along that it has from
+    /// the take that it was improved from.
+    AddByHand {
+        take: StoredTake,
+        edit: HandEdit,
+    },
+    ChangeByHand {
+        take: StoredTake,
+        id: String,
+        edit: HandEdit,
+    },
+    RemoveByHand {
+        take: StoredTake,
+        id: String,
+    },
+    /// Say when what of a take is shown; `None` shows everything in its own time.
+    RetimeByHand {
+        take: StoredTake,
+        knots: Option<Vec<Knot>>,
+    },
+    /// The take as it was found.
+    ClearByHand {
+        take: StoredTake,
+    },
 }
 
 /// The document after `command`. What is the same is shared with `document`.
@@ -301,6 +332,11 @@ fn apply_in_place(document: &mut Document, command: &Command) -> Result<(), Comm
         C::PinTake { take } => settings::pin(document, take),
         C::UnpinTake { character, take } => settings::unpin(document, character, take),
         C::NameTake { take, name } => settings::name_take(document, take, name),
+        C::AddByHand { take, edit } => by_hand::add(document, take, edit),
+        C::ChangeByHand { take, id, edit } => by_hand::change(document, take, &id, edit),
+        C::RemoveByHand { take, id } => by_hand::remove(document, take, &id),
+        C::RetimeByHand { take, knots } => by_hand::set_retime(document, take, knots),
+        C::ClearByHand { take } => by_hand::clear(document, take),
     }
 }
 

@@ -110,7 +110,10 @@ pub(super) fn rename(document: &mut Document, name: String) -> Result<(), Comman
 }
 
 pub(super) fn pin(document: &mut Document, take: StoredTake) -> Result<(), CommandError> {
-    keep(document, take, |take| take.pinned = true)
+    keep(document, take, |take| {
+        take.pinned = true;
+        Ok(())
+    })
 }
 
 pub(super) fn name_take(
@@ -118,7 +121,15 @@ pub(super) fn name_take(
     take: StoredTake,
     name: Option<String>,
 ) -> Result<(), CommandError> {
-    keep(document, take, |take| take.name = name)
+    // Nothing is kept of a take for having no name.
+    let is_kept = document.takes.get(&take.character, take.id()).is_some();
+    if name.is_none() && !is_kept {
+        return check_take(document, &take);
+    }
+    keep(document, take, |take| {
+        take.name = name;
+        Ok(())
+    })
 }
 
 pub(super) fn unpin(
@@ -128,15 +139,14 @@ pub(super) fn unpin(
 ) -> Result<(), CommandError> {
     let name = &document.character(character).ok_or(CommandError::NoCharacter)?.name;
     let take = document.takes.get(name, id).ok_or(CommandError::NoTake)?.clone();
-    keep(document, take, |take| take.pinned = false)
+    keep(document, take, |take| {
+        take.pinned = false;
+        Ok(())
+    })
 }
 
-/// Changes what is kept of a take, which is `take` where nothing is kept yet.
-fn keep(
-    document: &mut Document,
-    take: StoredTake,
-    change: impl FnOnce(&mut StoredTake),
-) -> Result<(), CommandError> {
+/// Somebody's motion, of pieces that can be.
+fn check_take(document: &Document, take: &StoredTake) -> Result<(), CommandError> {
     let owner = document.characters.iter().any(|c| c.name == take.character);
     if !owner {
         return Err(CommandError::NoCharacter);
@@ -145,15 +155,27 @@ fn keep(
         let (what, allowed) = ("a take", "made of pieces that end after they begin");
         return Err(CommandError::OutOfRange { what, allowed });
     }
+    Ok(())
+}
+
+/// Changes what is kept of a take, which is `take` where nothing is kept yet. The layer that `take`
+/// has from another take goes along, unless it has its own.
+pub(super) fn keep(
+    document: &mut Document,
+    take: StoredTake,
+    change: impl FnOnce(&mut StoredTake) -> Result<(), CommandError>,
+) -> Result<(), CommandError> {
+    check_take(document, &take)?;
     let id = take.id();
-    let mut take = document.takes.get(&take.character, id).cloned().unwrap_or(StoredTake {
-        name: None,
-        pinned: false,
-        ..take
-    });
-    change(&mut take);
+    let mut take = match document.takes.get(&take.character, id).cloned() {
+        Some(kept) => StoredTake { by_hand: kept.by_hand.or(take.by_hand), ..kept },
+        None => StoredTake { name: None, pinned: false, ..take },
+    };
+    change(&mut take)?;
+    let is_worth_keeping =
+        take.pinned || take.name.is_some() || take.by_hand.is_some() || !take.extra.is_empty();
     let takes = Arc::make_mut(&mut document.takes);
-    if take.pinned || take.name.is_some() || !take.extra.is_empty() {
+    if is_worth_keeping {
         takes.put(take);
     } else {
         takes.remove(&take.character, id);

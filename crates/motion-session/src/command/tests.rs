@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::*;
+use crate::document::{HandChange, TakePiece};
 use crate::sample;
 
 fn document() -> Document {
@@ -92,7 +93,8 @@ fn a_take_is_kept_while_it_is_pinned_or_named() {
         character: "A".to_owned(),
         name: None,
         pinned: false,
-        pieces: vec![crate::document::TakePiece { clip: "walk".to_owned(), from: 0, to: 9 }],
+        pieces: vec![TakePiece { clip: "walk".to_owned(), from: 0, to: 9 }],
+        by_hand: None,
         extra: Default::default(),
     };
     let id = take.id();
@@ -116,4 +118,64 @@ fn a_take_is_kept_while_it_is_pinned_or_named() {
     let rename = Command::RenameCharacter { character: CharacterIdx(0), name: "Z".to_owned() };
     let after = apply_all(&document(), &[name(Some("x")), rename]).unwrap();
     assert!(after.takes().get("Z", id).is_some(), "takes follow their character's name");
+}
+
+#[test]
+fn changes_by_hand_keep_their_take_and_come_along_to_what_it_became() {
+    let pieces = |from| vec![TakePiece { clip: "walk".to_owned(), from, to: 9 }];
+    let take = |from| StoredTake {
+        character: "A".to_owned(),
+        name: None,
+        pinned: false,
+        pieces: pieces(from),
+        by_hand: None,
+        extra: Default::default(),
+    };
+    let turn = |degrees| HandEdit {
+        change: HandChange::Joint { joint: "Head".to_owned(), turn_deg: [0.0, degrees, 0.0] },
+        from: 3,
+        to: 5,
+        ease_in: 2,
+        ease_out: 2,
+    };
+    let (first, id) = (take(0), "joint-1".to_owned());
+    let add = Command::AddByHand { take: first.clone(), edit: turn(30.0) };
+    let change = Command::ChangeByHand { take: first.clone(), id: id.clone(), edit: turn(40.0) };
+    let remove = Command::RemoveByHand { take: first.clone(), id };
+    let none = "there is no change by hand \"joint-1\" on this take any more";
+    check(std::slice::from_ref(&change), none);
+    check(&[add.clone(), remove.clone(), remove.clone()], none);
+    let far = Command::AddByHand { take: first.clone(), edit: turn(200.0) };
+    check(&[far], "a turn must be by 180° at most");
+    let knot = |output, source| Knot { output, source };
+    let retime = |knots| Command::RetimeByHand { take: first.clone(), knots };
+    let back = retime(Some(vec![knot(3, 5.0), knot(6, 2.0)]));
+    check(&[back], "time must be on its way forwards, or standing still");
+
+    let kept = |commands: &[Command], of: &StoredTake| {
+        let after = apply_all(&document(), commands).unwrap();
+        after.takes().get("A", of.id()).map(|take| take.by_hand.clone())
+    };
+    let changed = kept(&[add.clone(), change], &first).flatten().unwrap();
+    assert_eq!(changed.edit("joint-1"), Some(&turn(40.0)));
+    let unpin = Command::UnpinTake { character: CharacterIdx(0), take: first.id() };
+    let pin = Command::PinTake { take: first.clone() };
+    assert!(kept(&[add.clone(), pin, unpin], &first).is_some(), "it is kept without a pin");
+    assert_eq!(kept(&[add.clone(), remove.clone()], &first), None, "nothing is left of it");
+    let timed = retime(Some(vec![knot(3, 6.0)]));
+    assert_eq!(kept(&[timed, retime(None)], &first), None);
+
+    // What the take became is edited with the layer that it has from it.
+    let descendant = StoredTake { by_hand: Some(changed.clone()), ..take(1) };
+    let edit = Command::AddByHand { take: descendant.clone(), edit: turn(10.0) };
+    let layer = kept(&[add.clone(), edit], &descendant).flatten().unwrap();
+    assert_eq!(layer.edits().map(|(id, _)| id).collect::<Vec<_>>(), ["joint-1", "joint-2"]);
+    let pin = Command::PinTake { take: descendant.clone() };
+    assert_eq!(kept(&[add.clone(), pin], &descendant), Some(Some(changed)));
+    let unnamed = Command::NameTake { take: descendant.clone(), name: None };
+    assert_eq!(kept(&[unnamed], &descendant), None);
+    let clear = Command::ClearByHand { take: descendant.clone() };
+    let cleared = kept(&[add, clear.clone()], &descendant).unwrap().unwrap();
+    assert!(cleared.is_empty(), "an empty layer keeps the other one's off");
+    assert_eq!(kept(&[clear], &descendant), None, "there is none to be kept off");
 }

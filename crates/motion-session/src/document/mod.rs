@@ -1,11 +1,13 @@
 //! What the user authors, as one value that is cheap to clone.
 //!
-//! A document is a project with the takes that its user has pinned or named. It is never changed in
+//! A document is a project with the takes that its user has pinned, named or changed by hand. It is never changed in
 //! place: a [`Command`](crate::command::Command) makes another one that shares what is the same, so
 //! that an undo history is a list of documents.
 //!
 //! Invariant: what a document says can be saved, and read again as the same document.
 
+pub mod by_hand;
+mod by_hand_file;
 pub mod ids;
 pub mod take;
 mod take_file;
@@ -17,6 +19,7 @@ use motion_io::project_file::{
 };
 use serde_json::Value;
 
+pub use by_hand::{ByHand, HandChange, HandEdit, HandFault};
 pub use ids::{CharacterIdx, ConstraintRef, ObstacleIdx};
 pub use take::{StoredTake, TakeBook, TakeId, TakePiece};
 
@@ -124,7 +127,7 @@ impl Document {
         self.obstacles.get(obstacle.0)
     }
 
-    /// Takes that the user has pinned or named.
+    /// Takes that the user has pinned, named or changed by hand.
     pub fn takes(&self) -> &TakeBook {
         &self.takes
     }
@@ -155,6 +158,7 @@ impl Document {
     pub(crate) fn bytes_beside(&self, other: &Self) -> usize {
         const PER_CONSTRAINT: usize = 256;
         const PER_TAKE: usize = 1024;
+        const PER_EDIT: usize = 192;
         const PER_OBSTACLE: usize = 160;
         let mut bytes = size_of::<Self>();
         if !Arc::ptr_eq(&self.head, &other.head) {
@@ -172,7 +176,8 @@ impl Document {
             bytes += PER_OBSTACLE * self.obstacles.len();
         }
         if !Arc::ptr_eq(&self.takes, &other.takes) {
-            bytes += PER_TAKE * self.takes.iter().count();
+            let edits = |take: &StoredTake| take.by_hand.as_ref().map_or(0, |l| l.edits().count());
+            bytes += self.takes.iter().map(|t| PER_TAKE + PER_EDIT * edits(t)).sum::<usize>();
         }
         bytes
     }
@@ -232,9 +237,43 @@ mod tests {
             ", \"editor\": {\"takes\": \"strange\", \"b\": 1}",
             ", \"editor\": {\"a\": 0, \"takes\": [{\"character\": \"A\", \"name\": \"good\", \"pinned\": true, \
               \"pieces\": [{\"clip\": \"walk\", \"from\": 3, \"to\": 50}], \"mood\": 3}, \"strange\"], \"b\": 1}",
+            ", \"editor\": {\"takes\": [{\"character\": \"A\", \"pieces\": [{\"clip\": \"walk\", \"from\": 3, \
+              \"to\": 50}], \"by_hand\": {}}]}",
+            BY_HAND,
         ] {
             check(&format!("{head}{editor}}}"));
         }
+    }
+
+    /// A take with a layer in which not everything is understood.
+    const BY_HAND: &str = ", \"editor\": {\"takes\": [{\"character\": \"A\", \"pieces\": [{\"clip\": \
+        \"walk\", \"from\": 3, \"to\": 50}], \"by_hand\": {\"edits\": [{\"id\": \"joint-1\", \"kind\": \
+        \"joint\", \"joint\": \"Head\", \"turn\": [0.0, 30.5, 0.25], \"from\": 10, \"to\": 20, \"ease_in\": 4, \
+        \"ease_out\": 0, \"mood\": 1}, {\"kind\": \"squash\"}, {\"id\": \"hand-1\", \"kind\": \"hand\", \
+        \"limb\": \"RightFoot\", \"shift\": [0.0, 0.1, -0.2], \"space\": \"torso\", \"from\": 0, \"to\": 9, \
+        \"ease_in\": 0, \"ease_out\": 8}], \"retime\": [{\"output\": 10, \"source\": 5.5}, {\"output\": 20, \
+        \"source\": 20.0}], \"later\": [1]}}]}";
+
+    /// The only take of a document with this editor part.
+    fn only_take(editor: &str) -> Option<StoredTake> {
+        let head = "{\"gaitway\": 1, \"characters\": [{\"name\": \"A\"}]";
+        let document = Document::from_project(read(&format!("{head}{editor}}}")));
+        document.takes().iter().next().cloned()
+    }
+
+    #[test]
+    fn what_is_changed_by_hand_is_read_and_the_rest_kept() {
+        let layer = only_take(BY_HAND).unwrap().by_hand.unwrap();
+        let ids: Vec<&str> = layer.edits().map(|(id, _)| id).collect();
+        assert_eq!(ids, ["joint-1", "hand-1"], "a kind of later versions is kept and not shown");
+        assert_eq!(layer.edit("joint-1").unwrap().ease_in, 4);
+        assert_eq!(layer.retime().knots()[0].source, 5.5);
+        let whole = only_take(&BY_HAND.replace("[0.0, 30.5", "[0, 30.5"));
+        assert_eq!(whole.unwrap().by_hand, Some(layer), "0 is as good as 0.0");
+        // A curve that goes back in time is none, and a take with one is kept as it stands.
+        let bad = BY_HAND.replace("20.0}", "2.0}");
+        assert_eq!(only_take(&bad), None);
+        check(&format!("{{\"gaitway\": 1, \"characters\": [{{\"name\": \"A\"}}]{bad}}}"));
     }
 
     #[test]

@@ -6,6 +6,8 @@ use motion_io::content_hash::ContentHash;
 use motion_io::project_file::Extra;
 use serde_json::Value;
 
+use super::by_hand::ByHand;
+
 /// Names a take: a hash of the pieces that it is cut together from. So it is the same in every
 /// session, under every set of constraints, and on every machine with the same clips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,6 +56,9 @@ pub struct StoredTake {
     pub pinned: bool,
     /// What it is made of; at least one piece.
     pub pieces: Vec<TakePiece>,
+    /// What is changed by hand on it. `None` takes over what is changed on the take that it was
+    /// improved from; an empty layer does not.
+    pub by_hand: Option<ByHand>,
     /// Keys that this version does not know.
     pub extra: Extra,
 }

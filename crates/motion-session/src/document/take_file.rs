@@ -5,6 +5,7 @@
 use motion_io::project_file::Extra;
 use serde_json::{Map, Value, json};
 
+use super::by_hand_file::{self, alike};
 use super::take::{StoredTake, TakeBook, TakeEntry, TakePiece};
 
 const TAKES: &str = "takes";
@@ -13,8 +14,8 @@ const TAKES: &str = "takes";
 pub(super) fn take_out(editor: Option<&mut Value>) -> TakeBook {
     let list = editor.and_then(|editor| editor.get_mut(TAKES)).and_then(Value::as_array_mut);
     let entry = |value: Value| match decode(&value) {
-        // Only what is written back as it was is understood.
-        Some(take) if encode(&take) == value => TakeEntry::Take(take),
+        // Only what is written back as it was (10 may become 10.0) is understood.
+        Some(take) if alike(&encode(&take), &value) => TakeEntry::Take(take),
         _ => TakeEntry::Strange(value),
     };
     let list = list.map(std::mem::take).unwrap_or_default();
@@ -64,12 +65,17 @@ fn decode(value: &Value) -> Option<StoredTake> {
     let pieces = members.shift_remove("pieces")?;
     let pieces: Vec<TakePiece> =
         pieces.as_array()?.iter().map(decode_piece).collect::<Option<_>>()?;
+    let by_hand = match members.shift_remove("by_hand") {
+        Some(layer) => Some(by_hand_file::decode(&layer)?),
+        None => None,
+    };
     let in_order = pieces.iter().all(|piece| piece.from <= piece.to);
     (in_order && !pieces.is_empty()).then_some(StoredTake {
         character,
         name,
         pinned,
         pieces,
+        by_hand,
         extra: members,
     })
 }
@@ -84,7 +90,7 @@ fn decode_piece(value: &Value) -> Option<TakePiece> {
 }
 
 fn encode(take: &StoredTake) -> Value {
-    let StoredTake { character, name, pinned, pieces, extra } = take;
+    let StoredTake { character, name, pinned, pieces, by_hand, extra } = take;
     let mut members: Extra = Map::new();
     members.insert("character".to_owned(), json!(character));
     if let Some(name) = name {
@@ -95,6 +101,9 @@ fn encode(take: &StoredTake) -> Value {
     }
     let piece = |p: &TakePiece| json!({"clip": p.clip, "from": p.from, "to": p.to});
     members.insert("pieces".to_owned(), pieces.iter().map(piece).collect::<Vec<_>>().into());
+    if let Some(layer) = by_hand {
+        members.insert("by_hand".to_owned(), by_hand_file::encode(layer));
+    }
     for (key, value) in extra {
         members.entry(key.clone()).or_insert_with(|| value.clone());
     }

@@ -18,11 +18,12 @@ use motion_core::path::Path;
 use motion_core::search::Search;
 use motion_io::content_hash::ContentHash;
 
+use super::layers::Layers;
 use super::lineage::Lineage;
 use super::ready_library::ReadyLibrary;
 use super::snapshot::{BestAt, Better, CharacterSnapshot, ConstraintHash, Made, SearchState, Take};
-use crate::document::{TakeId, TakePiece};
-use crate::finish::{Finished, constraint_reports, finish};
+use crate::document::{ByHand, TakeId, TakePiece};
+use crate::finish::{Assembly, Finished, assemble, constraint_reports};
 use crate::problem::CharacterProblem;
 use crate::solve_job::Alternative;
 use crate::unmet::infeasible;
@@ -59,7 +60,10 @@ pub(super) struct CharacterSearch {
     lineage: Lineage,
     shown: Option<Shown>,
     follow_best: bool,
-    made: BTreeMap<TakeId, Made>,
+    layers: Layers,
+    made: BTreeMap<TakeId, Kept>,
+    /// How often what is only measured (joint targets, poses) has changed.
+    n_measures: u64,
     trace: Vec<BestAt>,
     /// Paths of takes that were in snapshots: a pick may come when they are none any more.
     seen: VecDeque<(TakeId, Path)>,
@@ -79,6 +83,13 @@ struct Shown {
     is_provisional: bool,
     /// Whether it is being refined after an edit.
     is_refining: bool,
+}
+
+/// A motion with what it was made of, so that a change by hand need not begin from the pieces.
+struct Kept {
+    assembly: Assembly,
+    made: Made,
+    n_measures: u64,
 }
 
 /// A search for earlier constraints.
@@ -128,7 +139,9 @@ impl CharacterSearch {
             lineage: Lineage::default(),
             shown: None,
             follow_best: false,
+            layers: Layers::default(),
             made: BTreeMap::new(),
+            n_measures: 0,
             trace: Vec::new(),
             seen: VecDeque::new(),
             passing: Passing::Not,
@@ -150,6 +163,9 @@ impl CharacterSearch {
         passing: Passing,
     ) -> Result<(), String> {
         let version = version_of(&asked, seed);
+        if (&asked.joints, &asked.poses) != (&self.asked.joints, &self.asked.poses) {
+            self.n_measures += 1;
+        }
         if version == self.version {
             self.asked = asked;
             self.passing = passing;
@@ -199,10 +215,16 @@ impl CharacterSearch {
 
     /// Which takes are kept with the project.
     pub(super) fn pin(&mut self, pinned: &[Path]) {
-        for path in pinned {
+        for path in pinned.iter().filter(|path| !self.pinned.contains(path)) {
             self.search.offer(path, None);
         }
         self.pinned = pinned.to_vec();
+    }
+
+    /// What is changed by hand on kept takes. Motions are made anew where that is something else
+    /// than before; the search goes on as it was.
+    pub(super) fn lay<'l>(&mut self, layers: impl Iterator<Item = (TakeId, &'l ByHand)>) {
+        self.layers.set(layers, &self.ready.skeleton);
     }
 
     /// The animator chooses a take to look at.
@@ -292,15 +314,30 @@ impl CharacterSearch {
         let assembler = self.ready.assembler();
         for path in paths {
             let id = self.id(&path);
-            if self.made.get(&id).is_some_and(|made| made.version == self.version) {
+            let by_hand = self.layers.of(id, &self.lineage);
+            let known = self.made.get(&id).filter(|kept| kept.made.version == self.version);
+            let is_now =
+                |kept: &Kept| kept.made.by_hand == by_hand && kept.n_measures == self.n_measures;
+            if known.is_some_and(is_now) {
                 continue;
             }
-            let Some(judgement) = self.search.judge(&path) else { continue };
-            let alternative = Alternative { path, judgement, iteration: 0, found_at_s: 0.0 };
-            let finished = finish(&self.ready.library, &assembler, &self.asked, &alternative, 0);
-            let Some(Finished { motion, report }) = finished else { continue };
-            let (motion, report) = (Arc::new(motion), Arc::new(report));
-            self.made.insert(id, Made { motion, report, version: self.version });
+            let library = &self.ready.library;
+            // What is stale is to be seen until there is something else.
+            let assembly = match known {
+                Some(_) => self.made.remove(&id).map(|kept| kept.assembly),
+                None => self.search.judge(&path).and_then(|judgement| {
+                    let alternative =
+                        Alternative { path, judgement, iteration: 0, found_at_s: 0.0 };
+                    assemble(library, &assembler, &self.asked, &alternative, 0)
+                }),
+            };
+            let Some(assembly) = assembly else { continue };
+            let layer = by_hand.as_ref().and_then(|by_hand| self.layers.on_body(by_hand.from));
+            let Finished { motion, before_hand, source_frames, report } =
+                assembly.finish(library, &self.asked, layer);
+            let (report, version) = (Arc::new(report), self.version);
+            let made = Made { motion, before_hand, source_frames, by_hand, report, version };
+            self.made.insert(id, Kept { assembly, made, n_measures: self.n_measures });
             return true;
         }
         false
@@ -328,6 +365,7 @@ impl CharacterSearch {
         self.made.retain(|id, _| takes.iter().any(|take| take.id == *id));
         let mut remarks = self.asked.left_out.clone();
         remarks.extend(self.infeasible.iter().cloned());
+        remarks.extend(self.layers.remarks().iter().cloned());
         CharacterSnapshot {
             name: self.asked.name.clone(),
             version: self.version,
@@ -372,7 +410,8 @@ impl CharacterSearch {
             found_in,
             is_pinned: self.pinned.contains(path),
             pieces: self.pieces(path).into(),
-            made: self.made.get(&id).cloned(),
+            by_hand: self.layers.of(id, &self.lineage),
+            made: self.made.get(&id).map(|kept| kept.made.clone()),
         }
     }
 

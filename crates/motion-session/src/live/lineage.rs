@@ -1,6 +1,6 @@
 //! Which takes were improved from which.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::document::TakeId;
 
@@ -47,6 +47,21 @@ impl Lineage {
         }
         false
     }
+
+    /// The nearest of `take` and its ancestors that `is_it` says yes to; of equally near ones the
+    /// one that it was last improved from.
+    pub(crate) fn nearest(&self, take: TakeId, is_it: impl Fn(TakeId) -> bool) -> Option<TakeId> {
+        let mut seen = BTreeSet::from([take]);
+        let mut open = VecDeque::from([take]);
+        while let Some(take) = open.pop_front() {
+            if is_it(take) {
+                return Some(take);
+            }
+            let parents = self.parents.get(&take).into_iter().flatten().rev();
+            open.extend(parents.filter(|parent| seen.insert(**parent)));
+        }
+        None
+    }
 }
 
 #[cfg(test)]
@@ -62,6 +77,9 @@ mod tests {
         }
         assert!(lineage.descends(c, a) && lineage.descends(c, d) && lineage.descends(a, a));
         assert!(!lineage.descends(a, c) && !lineage.descends(d, a));
+        assert_eq!(lineage.nearest(c, |take| take == a || take == d), Some(d), "one step away");
+        assert_eq!(lineage.nearest(c, |take| take == c || take == d), Some(c), "itself first");
+        assert_eq!(lineage.nearest(a, |take| take == d), None);
         assert_eq!((lineage.parent(c), lineage.parent(a)), (Some(d), None));
     }
 }

@@ -5,6 +5,7 @@
 //! through mailboxes with room for the latest one.
 
 mod character_search;
+mod layers;
 mod lineage;
 pub(crate) mod mailbox;
 pub mod ready_library;
@@ -21,7 +22,8 @@ use motion_io::project_file::Project;
 use crate::document::{CharacterIdx, Document, TakeId};
 pub use ready_library::ReadyLibrary;
 pub use snapshot::{
-    BestAt, Better, CharacterSnapshot, ConstraintHash, Made, SearchSnapshot, SearchState, Take,
+    BestAt, Better, CharacterSnapshot, ConstraintHash, HandLayer, Made, SearchSnapshot,
+    SearchState, Take,
 };
 use wish::{Pick, Request, Shared, Wish};
 

@@ -53,13 +53,7 @@ impl ReadyLibrary {
 
     /// What a path is made of, by the clips' ids.
     pub fn pieces(&self, path: &Path) -> Vec<TakePiece> {
-        let pieces = path.pieces(&self.library.graph).into_iter();
-        let named = |piece: Piece| TakePiece {
-            clip: self.library.clips.clip(piece.clip).id.clone(),
-            from: piece.from.0,
-            to: piece.to.0,
-        };
-        pieces.map(named).collect()
+        named_pieces(&self.library, path)
     }
 
     /// The path that is made of these pieces; `None` where the library has no such clip or cut any
@@ -87,4 +81,14 @@ impl ReadyLibrary {
         };
         path.is_valid(graph).then_some(path)
     }
+}
+
+/// What a path through a library is made of, by the clips' ids.
+pub(crate) fn named_pieces(library: &Library, path: &Path) -> Vec<TakePiece> {
+    let named = |piece: Piece| TakePiece {
+        clip: library.clips.clip(piece.clip).id.clone(),
+        from: piece.from.0,
+        to: piece.to.0,
+    };
+    path.pieces(&library.graph).into_iter().map(named).collect()
 }

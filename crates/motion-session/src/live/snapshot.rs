@@ -6,7 +6,7 @@ use motion_core::motion::Motion;
 use motion_core::score::ScoreTerms;
 use motion_io::report_file::{AlternativeReport, ConstraintReport};
 
-use crate::document::{CharacterIdx, StoredTake, TakeId, TakePiece};
+use crate::document::{ByHand, CharacterIdx, StoredTake, TakeId, TakePiece};
 
 /// A hash of what is asked of a character's motion: constraints, weights, clips in use. Results
 /// carry the one that they are for.
@@ -115,15 +115,33 @@ pub struct Take {
     pub is_pinned: bool,
     /// What it is made of.
     pub pieces: Arc<[TakePiece]>,
+    /// What is changed on it by hand, and on which kept take that was done; none where neither it
+    /// nor a take that it was improved from has a layer. It may be empty.
+    pub by_hand: Option<HandLayer>,
     /// Its motion, as soon as it is made.
     pub made: Option<Made>,
+}
+
+/// What is changed by hand on a take.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandLayer {
+    /// The kept take that has it: the take itself, or the nearest one that it was improved from.
+    pub from: TakeId,
+    /// The changes.
+    pub layer: Arc<ByHand>,
 }
 
 /// A take's motion and what the report says of it.
 #[derive(Clone, Debug)]
 pub struct Made {
-    /// The motion, on the library's skeleton.
+    /// The motion, on the library's skeleton, with what is changed on it by hand.
     pub motion: Arc<Motion>,
+    /// The motion without that, in its own time; `None` where it is the same.
+    pub before_hand: Option<Arc<Motion>>,
+    /// Which frame of `before_hand` each frame shows; `None` where it is not retimed.
+    pub source_frames: Option<Arc<[f64]>>,
+    /// What was changed by hand when it was made; not the take's where it is stale.
+    pub by_hand: Option<HandLayer>,
     /// What the report says of it: pieces, cuts, misses before and after correction, quality.
     pub report: Arc<AlternativeReport>,
     /// The constraints that it was corrected for: not the present ones where it is stale.
@@ -131,13 +149,14 @@ pub struct Made {
 }
 
 impl Take {
-    /// The take as it is kept with a project.
+    /// The take as it is kept with a project, with its layer, whichever take that is from.
     pub fn stored(&self, character: &str) -> StoredTake {
         StoredTake {
             character: character.to_owned(),
             name: None,
             pinned: false,
             pieces: self.pieces.to_vec(),
+            by_hand: self.by_hand.as_ref().map(|by_hand| ByHand::clone(&by_hand.layer)),
             extra: Default::default(),
         }
     }
@@ -154,9 +173,11 @@ impl CharacterSnapshot {
         self.take(self.shown?)
     }
 
-    /// Whether a take's motion is for other constraints than the present ones, or not made yet.
+    /// Whether a take's motion is for other constraints than the present ones, or with other
+    /// changes by hand, or not made yet.
     pub fn is_stale(&self, take: &Take) -> bool {
-        take.made.as_ref().is_none_or(|made| made.version != self.version)
+        let is_now = |made: &Made| made.version == self.version && made.by_hand == take.by_hand;
+        !take.made.as_ref().is_some_and(is_now)
     }
 }
 

@@ -141,6 +141,11 @@ impl Worker {
                 },
             };
             seat.refusal = refused;
+            if let Some(search) = &mut seat.search {
+                let takes = request.document.takes().iter();
+                let own = takes.filter(|take| take.character == character.name);
+                search.lay(own.filter_map(|take| Some((take.id(), take.by_hand.as_ref()?))));
+            }
         }
     }
 

@@ -7,6 +7,7 @@
 
 mod autosave;
 mod clip_preview;
+mod export;
 mod files;
 mod importing;
 mod library_loading;
@@ -33,6 +34,7 @@ use crate::selection::Selection;
 use autosave::Autosaver;
 pub use autosave::Recovery;
 pub use clip_preview::ClipPlace;
+pub use export::{ExportRange, ExportReport};
 use importing::Importing;
 pub use importing::{ImportChoices, ImportRefusal, ImportState, PresentLibrary};
 use library_loading::{LibraryLoading, LibraryWish};

@@ -4,12 +4,13 @@ use std::fs;
 use std::thread;
 use std::time::Duration;
 
+use motion_core::by_hand::{Limb, Space};
 use motion_io::project_file::{self, ConstraintKind};
 use motion_scene::color::Theme;
 use serde_json::json;
 
 use super::*;
-use crate::document::ConstraintRef;
+use crate::document::{ByHand, ConstraintRef, HandChange, HandEdit};
 use crate::fixture::{ready_library, walk_to};
 
 pub(super) fn session(state_folder: Option<&Path>) -> Session {
@@ -213,4 +214,68 @@ fn the_stage_has_the_document_at_once_and_the_shown_take_as_soon_as_there_is_one
         panic!("the end is a place")
     };
     assert_eq!(position_m, [1.7, 4.0]);
+}
+
+/// The shown take's motion, if it is made for what the document says now.
+fn motion_now(session: &Session) -> Option<Arc<motion_core::motion::Motion>> {
+    let snapshot = session.snapshot().character(CharacterIdx(0))?;
+    let shown = snapshot.shown().filter(|take| !snapshot.is_stale(take))?;
+    Some(Arc::clone(&shown.made.as_ref()?.motion))
+}
+
+fn hand_up(y_m: f64) -> HandEdit {
+    let (limb, space) = (Limb::LeftFoot, Space::World);
+    let change = HandChange::Hand { limb, shift_m: [0.0, y_m, 0.0], space };
+    HandEdit { change, from: 30, to: 40, ease_in: 10, ease_out: 10 }
+}
+
+#[test]
+fn a_change_by_hand_is_dragged_undone_redone_and_saved() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("walk.gaitway");
+    let mut session = session(None);
+    until(&mut session, "with a motion", has_motion);
+    session.search().pause();
+    until(&mut session, "paused", |s| s.state() == SearchState::Paused && motion_now(s).is_some());
+    session.pick(CharacterIdx(0), session.shown().unwrap().take.id);
+    let (before, take) = (motion_now(&session).unwrap(), session.shown().unwrap().take.clone());
+    let rounds = session.snapshot().characters[0].iterations;
+
+    let stored = take.stored("A");
+    session.begin_gesture("Lift foot");
+    for nth in 1..=10 {
+        let edit = hand_up(0.01 * f64::from(nth));
+        session.preview(&[Command::AddByHand { take: stored.clone(), edit }]).unwrap();
+        session.poll(1.0 / 60.0);
+    }
+    session.commit();
+    let layer = session.document().takes().get("A", take.id).unwrap().by_hand.clone().unwrap();
+    assert_eq!(layer.edit("hand-1"), Some(&hand_up(0.1)));
+    let is_lifted = |s: &Session| motion_now(s).is_some_and(|motion| motion != before);
+    let has = |s: &Session, layer: &ByHand| {
+        let shown = s.shown().and_then(|shown| shown.take.by_hand.clone());
+        shown.is_some_and(|by_hand| *by_hand.layer == *layer && by_hand.from == take.id)
+    };
+    until(&mut session, "lifted", |s| is_lifted(s) && has(s, &layer));
+    let lifted = motion_now(&session).unwrap();
+    let made = session.shown().unwrap().take.made.clone().unwrap();
+    assert_eq!(made.before_hand.as_ref(), Some(&before), "there is a ghost of what it was");
+    assert_eq!(session.snapshot().characters[0].iterations, rounds, "nothing was searched");
+
+    assert!(session.undo());
+    until(&mut session, "as before", |s| motion_now(s).is_some_and(|motion| motion == before));
+    assert!(session.document().takes().get("A", take.id).is_none());
+    assert!(session.redo());
+    until(&mut session, "lifted again", |s| motion_now(s).is_some_and(|motion| motion == lifted));
+
+    session.save_as(&path).unwrap();
+    session.begin_new(&walk_to(0.8, 4.0).to_project());
+    session.open(&path).unwrap();
+    let takes = session.document().takes();
+    assert_eq!(takes.get("A", take.id).and_then(|take| take.by_hand.as_ref()), Some(&layer));
+    session.search().resume();
+    session.pick(CharacterIdx(0), take.id);
+    until(&mut session, "with the kept take", |s| {
+        s.snapshot().characters[0].take(take.id).is_some_and(|take| take.by_hand.is_some())
+    });
 }

@@ -2,10 +2,12 @@
 
 use std::path::Path as FilePath;
 
+use motion_core::by_hand::Knot;
 use motion_core::score::ScoreTerms;
 
 use super::*;
-use crate::document::Document;
+use crate::command::{Command, apply};
+use crate::document::{CharacterIdx, Document, HandChange, HandEdit};
 use crate::fixture::{ready_library, walk_to};
 use crate::problem::problem_of;
 
@@ -178,4 +180,128 @@ fn kept_takes_are_always_there() {
     drag_to(&mut search, 2.0, Passing::Not);
     let snapshot = search.snapshot();
     assert!(snapshot.take(worst.id).is_some_and(|take| take.is_pinned));
+}
+
+fn turned(joint: &str, degrees: f64) -> ByHand {
+    let mut layer = ByHand::default();
+    let change = HandChange::Joint { joint: joint.to_owned(), turn_deg: [degrees, 0.0, 0.0] };
+    layer.add(HandEdit { change, from: 20, to: 40, ease_in: 8, ease_out: 8 }).unwrap();
+    layer
+}
+
+fn made_now(search: &mut CharacterSearch) -> Made {
+    while search.finish_one(true) {}
+    shown(search).made.expect("it is made")
+}
+
+#[test]
+fn what_is_changed_by_hand_lies_on_the_motion_and_the_search_goes_on() {
+    let mut search = search();
+    rounds(&mut search, 10);
+    let id = search.snapshot().takes[0].id;
+    search.pick(id);
+    let before = made_now(&mut search);
+    let (iterations, score) = (search.snapshot().iterations, shown(&mut search).score);
+    let layer = turned("LeftUpLeg", 30.0);
+    search.lay([(id, &layer)].into_iter());
+    let snapshot = search.snapshot();
+    assert!(snapshot.is_stale(snapshot.shown().unwrap()));
+    assert_eq!((snapshot.iterations, snapshot.shown().unwrap().score), (iterations, score));
+    let made = made_now(&mut search);
+    assert_eq!(made.before_hand.as_ref(), Some(&before.motion));
+    assert_ne!(made.motion, before.motion);
+    assert_eq!(made.version, before.version);
+    search.lay(std::iter::empty());
+    let again = made_now(&mut search);
+    assert_eq!(
+        (again.motion, again.before_hand, again.report),
+        (before.motion, None, before.report)
+    );
+    search.lay([(id, &turned("Tail", 1.0))].into_iter());
+    let remarks = search.snapshot().remarks;
+    assert!(remarks.iter().any(|r| r.contains("\"joint-1\" turns \"Tail\"")), "{remarks:?}");
+}
+
+#[test]
+fn a_refined_take_keeps_what_was_changed_by_hand() {
+    let mut search = search();
+    rounds(&mut search, 20);
+    let picked = search.snapshot().takes.last().unwrap().id;
+    search.pick(picked);
+    let layer = turned("LeftUpLeg", 30.0);
+    search.lay([(picked, &layer)].into_iter());
+    for nth in 0..40 {
+        drag_to(&mut search, 0.8 + 0.04 * f64::from(nth), Passing::By);
+    }
+    let made = made_now(&mut search);
+    let take = shown(&mut search);
+    assert_ne!(take.id, picked, "it was refined on the way");
+    let by_hand = take.by_hand.clone().expect("it descends from a take with a layer");
+    assert_eq!((by_hand.from, &*by_hand.layer), (picked, &layer));
+    assert!(made.before_hand.is_some() && made.by_hand == Some(by_hand));
+    // Its own layer comes before that of the take that it was made of.
+    let own = ByHand::default();
+    assert_eq!(take.stored("A").by_hand, Some(layer.clone()));
+    search.lay([(picked, &layer), (take.id, &own)].into_iter());
+    assert_eq!(made_now(&mut search).before_hand, None);
+    assert_eq!(shown(&mut search).by_hand.map(|by_hand| by_hand.from), Some(take.id));
+}
+
+#[test]
+fn misses_are_measured_on_the_retimed_motion() {
+    let mut search = search();
+    rounds(&mut search, 30);
+    let id = search.snapshot().takes[0].id;
+    search.pick(id);
+    let before = made_now(&mut search);
+    let n_frames = before.report.frames;
+    let mut layer = ByHand::default();
+    layer.set_retime(&[Knot { output: 40, source: 20.0 }]).unwrap();
+    search.lay([(id, &layer)].into_iter());
+    let made = made_now(&mut search);
+    assert_eq!(
+        (made.report.frames, made.motion.n_frames()),
+        (n_frames + 20, n_frames as usize + 20)
+    );
+    let frames = made.source_frames.as_ref().unwrap();
+    assert_eq!((frames[40], frames.len()), (20.0, made.motion.n_frames()));
+    let [start, corner, end] = &made.report.final_[..] else { panic!("three checkpoints") };
+    assert!(start.position_error_m < Some(1e-3) && corner.position_error_m > Some(0.1));
+    assert!(end.position_error_m < Some(1e-3), "the last one is met where the motion ends");
+    let late = |made: &Made| made.report.final_[2].frame_error.unwrap();
+    assert_eq!(late(&made), late(&before) + 20);
+    for (seam, was) in made.report.seams.iter().zip(&before.report.seams) {
+        assert!(frames[seam.frame as usize] >= f64::from(was.frame));
+    }
+}
+
+#[test]
+fn joint_targets_are_measured_and_the_search_goes_on() {
+    let target = |y_m: f64| Command::AddJointTarget {
+        character: CharacterIdx(0),
+        frame: 30,
+        joint: "LeftFoot".to_owned(),
+        position_m: [0.0, y_m, 1.0],
+        velocity_m_s: Some([0.0; 3]),
+    };
+    let with = |y_m| asked(&apply(&walk_to(0.8, 4.0), &target(y_m)).unwrap());
+    let mut search = search();
+    rounds(&mut search, 10);
+    let id = search.snapshot().takes[0].id;
+    search.pick(id);
+    let version = made_now(&mut search).version;
+    let skeleton = search.ready.skeleton.clone();
+    let foot = skeleton.find("LeftFoot").unwrap();
+    for y_m in [0.5, 0.9] {
+        search.ask(with(y_m), 1, Passing::Not).unwrap();
+        let made = made_now(&mut search);
+        assert_eq!(made.version, version, "the search does not consider it");
+        let report = made.report.final_.last().unwrap();
+        assert_eq!((report.constraint.as_str(), report.kind.as_str()), ("joint-1", "joint"));
+        let path_m = made.motion.joint_path_m(&skeleton, foot);
+        let away_m = path_m[30].distance(glam::Vec3::new(0.0, y_m as f32, 1.0));
+        assert!((report.position_error_m.unwrap() - f64::from(away_m)).abs() < 1e-5);
+        let speed_m_s = path_m[31].distance(path_m[29]) * 15.0;
+        assert!((report.velocity_error_m_s.unwrap() - f64::from(speed_m_s)).abs() < 1e-3);
+    }
 }

@@ -123,7 +123,7 @@ impl PathDialog {
         }
         let field = TextEdit::singleline(&mut self.typed)
             .id(field_id())
-            .align(egui::Align2::LEFT_CENTER)
+            .align(Align2::LEFT_CENTER)
             .desired_width(f32::INFINITY);
         let response = ui.add_sized([ui.available_width(), 28.0], field);
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, FIELD_LABEL));

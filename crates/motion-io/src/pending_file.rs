@@ -35,12 +35,18 @@ impl PendingFile {
         let Some(name) = target.file_name() else {
             return Err(FileError::new(path, "it does not name a file", "name a file to write"));
         };
-        let temporary = folder_of(&target).join(temporary_name(name.to_owned()));
-        let file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&temporary)
-            .map_err(|error| FileError::writing(path, &error))?;
+        let create = || -> io::Result<(PathBuf, File)> {
+            // A process that was killed leaves its temporary file, and its number may be ours now.
+            for _ in 0..MAX_LEFT {
+                let temporary = folder_of(&target).join(temporary_name(name.to_owned()));
+                match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+                    Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                    opened => return Ok((temporary, opened?)),
+                }
+            }
+            Err(io::ErrorKind::AlreadyExists.into())
+        };
+        let (temporary, file) = create().map_err(|error| FileError::writing(path, &error))?;
         Ok(Self { path: path.to_owned(), target, temporary, file, is_kept: false })
     }
 
@@ -85,6 +91,28 @@ impl Drop for PendingFile {
     }
 }
 
+/// Removes what processes that were killed while they wrote `path` have left beside it. Only for who
+/// knows that nobody writes `path` now.
+pub fn remove_leftovers(path: &Path) {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let Some(name) = target.file_name().and_then(|name| name.to_str()) else { return };
+    let entries = fs::read_dir(folder_of(&target)).into_iter().flatten().flatten();
+    for entry in entries {
+        let of_entry = entry.file_name();
+        let number = of_entry.to_str().and_then(|of_entry| {
+            of_entry.strip_prefix('.')?.strip_prefix(name)?.strip_prefix('.')?.strip_suffix(".tmp")
+        });
+        let is_number = |n: &str| n.bytes().all(|b| b.is_ascii_digit() || b == b'-');
+        if number.is_some_and(|number| !number.is_empty() && is_number(number)) {
+            // Best effort: it only takes room.
+            drop(fs::remove_file(entry.path()));
+        }
+    }
+}
+
+/// More temporary files of one number are never left.
+const MAX_LEFT: usize = 1_000;
+
 fn folder_of(target: &Path) -> PathBuf {
     match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
@@ -110,6 +138,30 @@ fn sync_folder(folder: &Path) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_a_killed_process_left_is_in_nobodys_way() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("walk.gaitway");
+        // Names that this process, with the number of the killed one, would take next.
+        let next: u64 = temporary_name("n".into())
+            .to_str()
+            .and_then(|name| name.strip_suffix(".tmp")?.rsplit('-').next()?.parse().ok())
+            .unwrap();
+        for count in next..next + 60 {
+            let name = format!(".walk.gaitway.{}-{count}.tmp", std::process::id());
+            File::create(dir.path().join(name)).unwrap();
+        }
+        for other in [".walk.gaitway.x.tmp", ".other.gaitway.1-1.tmp", "walk.gaitway.1-1.tmp"] {
+            File::create(dir.path().join(other)).unwrap();
+        }
+        let mut pending = PendingFile::create(&path).unwrap();
+        pending.write_all(b"new").unwrap();
+        pending.keep().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        remove_leftovers(&path);
+        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 4, "others' files stay");
+    }
 
     #[test]
     fn what_is_not_kept_was_never_there() {

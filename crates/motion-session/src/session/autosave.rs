@@ -11,6 +11,7 @@ use std::time::Duration;
 use motion_io::atomic_write::atomic_write;
 use motion_io::diagnostic::{FileError, Warnings};
 use motion_io::limits::MAX_PROJECT_FILE_BYTES;
+use motion_io::pending_file::remove_leftovers;
 use motion_io::project_file::{self, Project};
 use motion_io::read_file::read_file;
 use serde_json::{Value, json};
@@ -29,6 +30,8 @@ pub struct Recovery {
     pub file: Option<PathBuf>,
     /// The project as it was last kept.
     pub project: Project,
+    /// Whether the project's file was written after this: then it may well have everything.
+    pub file_is_newer: bool,
 }
 
 /// The text of an autosave.
@@ -50,7 +53,10 @@ pub(super) fn read(autosave: &Path) -> Result<Recovery, FileError> {
     let text = project.ok_or_else(bad)?.to_string();
     let file = wrapper.get("file").and_then(Value::as_str).map(PathBuf::from);
     let project = project_file::read(text.as_bytes(), autosave, &mut Warnings::new())?;
-    Ok(Recovery { autosave: autosave.to_owned(), file, project })
+    let written_at = |path: &Path| std::fs::metadata(path).and_then(|m| m.modified()).ok();
+    let of_file = file.as_deref().and_then(written_at);
+    let file_is_newer = of_file.is_some_and(|of_file| Some(of_file) > written_at(autosave));
+    Ok(Recovery { autosave: autosave.to_owned(), file, project, file_is_newer })
 }
 
 /// What sessions that are over have left in `folder`, by the name of the autosave. What cannot be
@@ -61,6 +67,8 @@ pub(super) fn recoveries(folder: &Path) -> Vec<Recovery> {
     paths.retain(|path| path.extension().is_some_and(|ending| ending == AUTOSAVE));
     paths.sort();
     paths.retain(|path| matches!(ProjectLock::of_autosave(path), Ok(Some(_))));
+    // Nobody writes these now.
+    paths.iter().for_each(|path| remove_leftovers(path));
     paths.iter().filter_map(|path| read(path).ok()).collect()
 }
 
@@ -171,7 +179,10 @@ mod tests {
         atomic_write(&dir.path().join("broken.autosave"), b"{\"gaitway_auto").unwrap();
         let found = recoveries(dir.path());
         let file = Some(PathBuf::from("walk.gaitway"));
-        assert_eq!(found, [Recovery { autosave: autosave.clone(), file, project }]);
+        assert_eq!(
+            found,
+            [Recovery { autosave: autosave.clone(), file, project, file_is_newer: false }]
+        );
         let mut autosaver = Autosaver::start().unwrap();
         autosaver.remove(&autosave);
         autosaver.finish();

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use motion_io::diagnostic::{FileError, Warnings};
+use motion_io::pending_file::remove_leftovers;
 use motion_io::project_file::{self, Project, relative_to};
 
 use super::autosave::{self, Autosaver, Recovery};
@@ -25,6 +26,13 @@ pub(super) struct Files {
     state_folder: Option<PathBuf>,
     autosaver: Option<Autosaver>,
     lock: Option<ProjectLock>,
+    /// Holds the autosave that was recovered, where that is not the one of `lock`: it stays until
+    /// everything is saved.
+    recovered: Option<ProjectLock>,
+    /// So long after a change it is kept, at most, seconds.
+    autosave_secs: f64,
+    /// Why an autosave failed last.
+    failure: Option<FileError>,
     /// The document that was last autosaved.
     kept: Option<Document>,
     /// Seconds since a change that is not kept yet.
@@ -39,7 +47,20 @@ impl Files {
     ) -> Self {
         let (path, lock, kept) = (None, None, None);
         let (is_unsaved, secs_at_risk) = (false, 0.0);
-        Self { path, saved, is_unsaved, state_folder, autosaver, lock, kept, secs_at_risk }
+        let (recovered, autosave_secs) = (None, AUTOSAVE_SECS);
+        Self {
+            path,
+            saved,
+            is_unsaved,
+            state_folder,
+            autosaver,
+            lock,
+            recovered,
+            autosave_secs,
+            failure: None,
+            kept,
+            secs_at_risk,
+        }
     }
 
     /// The project's path for messages, and for what is relative to it.
@@ -64,6 +85,10 @@ impl Files {
         self.kept = None;
         if let (Some(autosaver), Some(lock)) = (&self.autosaver, &self.lock) {
             autosaver.remove(lock.autosave());
+        }
+        if let Some(recovered) = self.recovered.take() {
+            // Best effort: at worst it is offered once too often. No autosaver writes this one.
+            drop(std::fs::remove_file(recovered.autosave()));
         }
     }
 
@@ -98,6 +123,10 @@ impl Session {
             self.begin_project(&project);
         } else {
             let document = Document::from_project(project.clone());
+            if lock.is_some() {
+                // It is ours, so nobody writes it.
+                remove_leftovers(path);
+            }
             self.files.begin(Some(path.to_owned()), document, lock);
             self.begin_project(&project);
         }
@@ -156,11 +185,23 @@ impl Session {
     /// Goes on with what a session left unsaved, in the place of this project. It is changed until
     /// it is saved.
     pub fn recover(&mut self, recovery: &Recovery) -> Result<(), FileError> {
-        let lock = ProjectLock::of_autosave(&recovery.autosave)?.ok_or_else(|| {
+        let held = ProjectLock::of_autosave(&recovery.autosave)?.ok_or_else(|| {
             FileError::new(&recovery.autosave, "another window is at it", "go on there")
         })?;
         let document = Document::from_project(recovery.project.clone());
-        self.files.begin(recovery.file.clone(), document.clone(), Some(lock));
+        let file = recovery.file.clone();
+        // An autosave that was set aside does not hold the project's file.
+        let is_own = file.is_some() && self.files.path == file;
+        let (lock, recovered) = match file.as_deref().filter(|file| !held.is_of_file(file)) {
+            Some(_) if is_own => {
+                self.files.forget();
+                (self.files.lock.take(), Some(held))
+            }
+            Some(file) => (self.files.lock_for(file)?, Some(held)),
+            None => (Some(held), None),
+        };
+        self.files.begin(file, document.clone(), lock);
+        self.files.recovered = recovered;
         self.files.is_unsaved = true;
         // It is what the autosave has; that stays until it is saved.
         self.files.kept = Some(document);
@@ -189,12 +230,22 @@ impl Session {
         }
     }
 
-    /// Keeps what has changed, [`AUTOSAVE_SECS`] after it did.
+    /// Keeps what has changed so long after it did, at most. Until this is called that is
+    /// [`AUTOSAVE_SECS`].
+    pub fn set_autosave_secs(&mut self, secs: f64) {
+        self.files.autosave_secs = if secs.is_finite() { secs.max(0.0) } else { AUTOSAVE_SECS };
+    }
+
+    /// Keeps what has changed, in time.
     pub(super) fn keep(&mut self, dt_secs: f64) {
         let files = &mut self.files;
         let Some(autosaver) = &files.autosaver else { return };
         if let Some(error) = autosaver.failure() {
-            self.remarks.push(format!("the autosave failed: {error}"));
+            // It is tried again and again, and said once.
+            files.kept = None;
+            if files.failure.replace(error.clone()).is_none_or(|said| said != error) {
+                self.remarks.push(format!("the autosave failed: {error}"));
+            }
         }
         let settled = self.history.settled();
         if files.kept.is_some() && !files.is_unsaved && *settled == files.saved {
@@ -209,7 +260,8 @@ impl Session {
             return;
         }
         files.secs_at_risk += dt_secs.max(0.0);
-        let Some(lock) = files.lock.as_ref().filter(|_| files.secs_at_risk >= AUTOSAVE_SECS) else {
+        let Some(lock) = files.lock.as_ref().filter(|_| files.secs_at_risk >= files.autosave_secs)
+        else {
             return;
         };
         let mut project = settled.to_project();

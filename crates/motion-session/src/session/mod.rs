@@ -377,6 +377,8 @@ fn library_wish(document: &Document, path: &Path) -> LibraryWish {
     }
 }
 
+#[cfg(all(test, unix))]
+mod crash_tests;
 #[cfg(test)]
 mod library_tests;
 #[cfg(test)]

@@ -20,14 +20,28 @@ pub struct ProjectLock {
 impl ProjectLock {
     /// Holds the project at `path`. Fails where another session has it open.
     pub fn of_file(folder: &Path, path: &Path) -> Result<Self, FileError> {
-        // A file that is not there yet has no canonical form.
-        let whole = std::fs::canonicalize(path).or_else(|_| std::path::absolute(path));
-        let whole = whole.unwrap_or_else(|_| path.to_owned());
-        let hash = ContentHash::of(whole.as_os_str().as_encoded_bytes()).to_string();
-        let name = format!("file-{}", &hash[..16]);
-        Self::named(folder, &name)?.ok_or_else(|| {
+        let lock = Self::named(folder, &name_of(path))?.ok_or_else(|| {
             FileError::new(path, "it is open in another window", "go on there, or close that first")
-        })
+        })?;
+        lock.set_aside_what_is_left()?;
+        Ok(lock)
+    }
+
+    /// An autosave that a crash has left is not to be written over by the next session with the
+    /// project: it goes out of the way, and is offered until somebody recovers or discards it.
+    fn set_aside_what_is_left(&self) -> Result<(), FileError> {
+        if !self.autosave.exists() {
+            return Ok(());
+        }
+        let stem = self.autosave.file_stem().unwrap_or_default().to_string_lossy();
+        let aside = (1..10_000)
+            .map(|nth| self.autosave.with_file_name(format!("{stem}-left-{nth}.{AUTOSAVE}")))
+            .find(|aside| !aside.exists());
+        let aside = aside.ok_or_else(|| {
+            FileError::new(&self.autosave, "too much is left unsaved", "recover or delete some")
+        })?;
+        std::fs::rename(&self.autosave, &aside)
+            .map_err(|error| FileError::writing(&self.autosave, &error))
     }
 
     /// Holds a project that has no file, under a number that nobody has and nothing is left of.
@@ -49,6 +63,11 @@ impl ProjectLock {
         Self::named(folder, &name)
     }
 
+    /// Whether this holds the project at `path`, and not only something that is left of it.
+    pub(super) fn is_of_file(&self, path: &Path) -> bool {
+        self.autosave.file_stem().is_some_and(|stem| stem == name_of(path).as_str())
+    }
+
     /// Where the project's autosave is.
     pub fn autosave(&self) -> &Path {
         &self.autosave
@@ -68,6 +87,23 @@ impl ProjectLock {
     }
 }
 
+/// What the lock of a project at `path` is called.
+fn name_of(path: &Path) -> String {
+    let hash = ContentHash::of(whole(path).as_os_str().as_encoded_bytes()).to_string();
+    format!("file-{}", &hash[..16])
+}
+
+/// The same for every way to name a file, whether it is there yet or not.
+fn whole(path: &Path) -> PathBuf {
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    // A file that is not there yet has no canonical form, but its folder has.
+    let in_folder = || {
+        let folder = std::fs::canonicalize(absolute.parent()?).ok()?;
+        Some(folder.join(absolute.file_name()?))
+    };
+    std::fs::canonicalize(path).ok().or_else(in_folder).unwrap_or(absolute)
+}
+
 /// The ending of autosaves.
 pub(super) const AUTOSAVE: &str = "autosave";
 
@@ -85,6 +121,21 @@ mod tests {
         assert!(ProjectLock::of_file(dir.path(), &dir.path().join("b.gaitway")).is_ok());
         drop(lock);
         assert!(ProjectLock::of_file(dir.path(), &path).is_ok());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_project_is_the_same_through_a_link_before_and_after_it_is_written() {
+        let dir = tempfile::tempdir().unwrap();
+        let (folder, link) = (dir.path().join("folder"), dir.path().join("link"));
+        std::fs::create_dir(&folder).unwrap();
+        std::os::unix::fs::symlink(&folder, &link).unwrap();
+        let _held = ProjectLock::of_file(dir.path(), &link.join("a.gaitway")).unwrap();
+        assert!(ProjectLock::of_file(dir.path(), &folder.join("a.gaitway")).is_err());
+        File::create(folder.join("a.gaitway")).unwrap();
+        for path in [&folder, &link] {
+            assert!(ProjectLock::of_file(dir.path(), &path.join("a.gaitway")).is_err());
+        }
     }
 
     #[test]

@@ -279,3 +279,63 @@ fn a_change_by_hand_is_dragged_undone_redone_and_saved() {
         s.snapshot().characters[0].take(take.id).is_some_and(|take| take.by_hand.is_some())
     });
 }
+
+/// Whoever opens a project after a crash before he looks at what can be recovered loses nothing.
+#[test]
+fn what_a_crash_has_left_of_a_file_outlives_opening_it_and_working_on() {
+    let (dir, state) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let path = dir.path().join("walk.gaitway");
+    let mut crashing = session(Some(state.path()));
+    crashing.save_as(&path).unwrap();
+    crashing.apply(&moved(1.0)).unwrap();
+    crashing.poll(AUTOSAVE_SECS);
+    until_autosaves(&mut crashing, state.path(), 1);
+    let text = project_file::write(&crashing.document().to_project());
+    drop(crashing);
+
+    let mut next = session(Some(state.path()));
+    next.open(&path).unwrap();
+    next.apply(&moved(2.0)).unwrap();
+    next.poll(AUTOSAVE_SECS);
+    until_autosaves(&mut next, state.path(), 2);
+    next.save().unwrap();
+    until_autosaves(&mut next, state.path(), 1);
+    let recoveries = next.recoveries();
+    assert_eq!(project_file::write(&recoveries[0].project), text);
+    assert!(recoveries[0].file_is_newer);
+    assert_eq!(recoveries[0].file.as_deref(), Some(path.as_path()));
+
+    next.recover(&recoveries[0]).unwrap();
+    assert!(next.is_changed() && next.recoveries().is_empty());
+    assert!(session(Some(state.path())).open(&path).is_err(), "the file is held, too");
+    assert_eq!(autosaves(state.path()), 1, "until it is saved");
+    next.save().unwrap();
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
+    until_autosaves(&mut next, state.path(), 0);
+}
+
+#[test]
+fn an_autosave_that_fails_is_tried_again_and_said_once() {
+    let state = tempfile::tempdir().unwrap();
+    let folder = state.path().join("state");
+    let mut session = session(Some(&folder));
+    let aside = state.path().join("aside");
+    fs::rename(&folder, &aside).unwrap();
+    session.apply(&moved(1.0)).unwrap();
+    for _ in 0..20 {
+        session.poll(AUTOSAVE_SECS);
+        thread::sleep(Duration::from_millis(10));
+    }
+    let remarks = session.take_remarks();
+    let failed = remarks.iter().filter(|remark| remark.contains("the autosave failed"));
+    assert_eq!(failed.count(), 1, "{remarks:?}");
+    fs::rename(&aside, &folder).unwrap();
+    for _ in 0..200 {
+        session.poll(AUTOSAVE_SECS);
+        if autosaves(&folder) == 1 {
+            return;
+        }
+        thread::sleep(Duration::from_millis(10));
+    }
+    panic!("never tried again");
+}

@@ -8,6 +8,7 @@ use motion_session::preferences::UI_SCALES;
 use motion_session::session::SessionError;
 
 use crate::command_palette::CommandPalette;
+use crate::export::ExportDialog;
 use crate::files::{FileFlow, Next};
 use crate::guide::Guide;
 use crate::panels::library::LibraryPanel;
@@ -31,6 +32,8 @@ pub struct EditorApp {
     palette: CommandPalette,
     sheet_is_open: bool,
     guide: Guide,
+    /// Taking motions out.
+    pub export: ExportDialog,
     /// Opening and saving.
     pub files: FileFlow,
 }
@@ -55,6 +58,7 @@ impl EditorApp {
             palette: CommandPalette::default(),
             sheet_is_open: false,
             guide: Guide::default(),
+            export: ExportDialog::default(),
             files,
         })
     }
@@ -69,7 +73,7 @@ impl EditorApp {
         }
         let mut commands = self.state.take_commands();
         // What asks is answered first.
-        if !self.files.is_asking() {
+        if !self.files.is_asking() && !self.export.is_open() {
             commands.extend(pressed(ctx));
         }
         for command in commands {
@@ -79,6 +83,8 @@ impl EditorApp {
             match command {
                 UiCommand::Palette => self.palette.toggle(),
                 UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
+                UiCommand::Export => self.export.open(),
+                UiCommand::ExportAgain => self.export.repeat(&mut self.state),
                 UiCommand::Guide => self.guide.toggle(),
                 UiCommand::FitTimeline => self.timeline.fit(),
                 other if self.files.run(other, &mut self.state, ctx) => {}
@@ -90,7 +96,9 @@ impl EditorApp {
     /// Answers of dialogs, files dropped on the window, and whether it may close.
     fn see_to_files(&mut self, ctx: &egui::Context) {
         let Self { files, state, .. } = self;
-        files.poll(state, ctx);
+        if let Some(answer) = files.poll(state, ctx) {
+            self.export.answered(&answer, state);
+        }
         let dropped = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
         let dropped = dropped.into_iter().map(|file| file.path().to_owned());
         files.drop_in(dropped.collect(), state, ctx);
@@ -192,6 +200,7 @@ impl eframe::App for EditorApp {
         let view = self.viewport.rect();
         welcome_ui(ui, view, &mut self.state);
         self.guide.ui(ui, view, &mut self.state);
+        self.export.ui(ui, &mut self.state, &mut self.files);
         self.files.ui(ui, &mut self.state);
         self.wake_again(&ctx, dt_secs);
     }

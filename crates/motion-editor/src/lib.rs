@@ -23,6 +23,7 @@ pub mod ui_command;
 
 pub mod command_palette;
 pub mod dialogs;
+pub mod export;
 pub mod files;
 pub mod guide;
 pub mod panels;

@@ -24,6 +24,8 @@ pub enum UiCommand {
     SaveAs,
     Import,
     ImportFolder,
+    Export,
+    ExportAgain,
     Quit,
     // Edit.
     Undo,
@@ -87,6 +89,7 @@ pub fn menus() -> Vec<Menu> {
                 vec![C::New, C::Open],
                 vec![C::Save, C::SaveAs],
                 vec![C::Import, C::ImportFolder],
+                vec![C::Export, C::ExportAgain],
                 (0..SAMPLES.len() as u8).map(C::Sample).collect(),
                 vec![C::Quit],
             ],

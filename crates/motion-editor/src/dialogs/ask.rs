@@ -23,6 +23,8 @@ pub enum Ask {
         /// A file's name to begin with.
         suggested: String,
     },
+    /// Into which folder to write motions.
+    ExportFolder,
     /// Where to write a picture or a film.
     ExportPicture {
         /// A file's name to begin with.
@@ -49,7 +51,7 @@ impl Ask {
         match self {
             Self::OpenProject | Self::OpenLibrary | Self::OpenCharacter => Wanted::File,
             Self::ImportClips => Wanted::Files,
-            Self::ImportFolder => Wanted::Folder,
+            Self::ImportFolder | Self::ExportFolder => Wanted::Folder,
             Self::SaveProject { .. } | Self::ExportMotion { .. } | Self::ExportPicture { .. } => {
                 Wanted::NewFile
             }
@@ -66,6 +68,7 @@ impl Ask {
             Self::ImportFolder => "Import a folder of clips",
             Self::OpenCharacter => "Choose character",
             Self::ExportMotion { .. } => "Export motion",
+            Self::ExportFolder => "Export motions to a folder",
             Self::ExportPicture { .. } => "Export picture or film",
         }
     }
@@ -76,7 +79,7 @@ impl Ask {
             Self::OpenProject | Self::OpenLibrary | Self::OpenCharacter => "Open",
             Self::ImportClips | Self::ImportFolder => "Import",
             Self::SaveProject { .. } => "Save",
-            Self::ExportMotion { .. } | Self::ExportPicture { .. } => "Export",
+            Self::ExportMotion { .. } | Self::ExportFolder | Self::ExportPicture { .. } => "Export",
         }
     }
 
@@ -85,7 +88,10 @@ impl Ask {
         match self {
             Self::OpenProject | Self::SaveProject { .. } => "Gaitway projects",
             Self::OpenLibrary => "Gaitway libraries",
-            Self::ImportClips | Self::ImportFolder | Self::ExportMotion { .. } => "Motions",
+            Self::ImportClips
+            | Self::ImportFolder
+            | Self::ExportMotion { .. }
+            | Self::ExportFolder => "Motions",
             Self::OpenCharacter => "Characters",
             Self::ExportPicture { .. } => "Pictures and films",
         }
@@ -98,7 +104,7 @@ impl Ask {
             Self::OpenLibrary => &["gwlib"],
             Self::ImportClips | Self::ImportFolder => &["bvh", "glb", "gltf"],
             Self::OpenCharacter => &["glb", "gltf"],
-            Self::ExportMotion { .. } => &["bvh"],
+            Self::ExportMotion { .. } | Self::ExportFolder => &["bvh"],
             Self::ExportPicture { .. } => &["png", "gif", "mp4", "webm"],
         }
     }

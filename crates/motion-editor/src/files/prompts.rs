@@ -68,6 +68,10 @@ impl FileFlow {
                 when.unwrap_or_default()
             );
             ui.label(RichText::new(text).color(theme::of(ui).faint));
+            if recovery.file_is_newer {
+                let text = "The file was saved later than that.";
+                ui.label(RichText::new(text).color(theme::of(ui).text));
+            }
             ui.add_space(4.0 * theme::GRID);
             buttons_ui(ui, &["Restore", "Discard", "Ask me later"], &mut chosen);
         });

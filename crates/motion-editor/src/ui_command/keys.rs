@@ -47,6 +47,8 @@ impl UiCommand {
             Self::Sample(_) => Vec::new(),
             Self::Import => vec![ctrl(Key::I)],
             Self::ImportFolder => vec![ctrl_shift(Key::I)],
+            Self::Export => vec![ctrl(Key::E)],
+            Self::ExportAgain => vec![ctrl(Key::R)],
             Self::Save => vec![ctrl(Key::S)],
             Self::SaveAs => vec![ctrl_shift(Key::S)],
             Self::Quit => vec![ctrl(Key::Q)],

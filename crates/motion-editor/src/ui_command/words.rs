@@ -35,6 +35,10 @@ impl UiCommand {
             Self::ImportFolder => {
                 ("Import a folder…", "Takes all motion capture files of a folder into a library")
             }
+            Self::Export => ("Export…", "Writes the shown motion to a file for other programs"),
+            Self::ExportAgain => {
+                ("Export again", "Writes the shown motion where one was written the last time")
+            }
             Self::Save => ("Save", "Writes the project to its own file"),
             Self::Quit => ("Quit", "Closes the window"),
 

@@ -154,3 +154,25 @@ fn samples_open_and_move() {
         window.step();
     }
 }
+
+#[test]
+fn the_shown_motion_is_exported_and_comes_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("out.bvh");
+    let Some(mut window) = open(folder.path(), ProjectSource::Sample, &[path.clone()]) else {
+        return;
+    };
+    window.state_mut().state.settings.welcome_seen = true;
+    crate::window::settle(&mut window);
+    crate::window::quiet(&mut window);
+    press(&mut window, Modifiers::CTRL, Key::E);
+    window.get_by_role_and_label(Role::Button, "Export…").click();
+    window.run_steps(4);
+    let state = &window.state().state;
+    assert_eq!(state.notices.refusal(), None);
+    let n_frames = state.n_frames();
+    let told = state.notices.current().map(|notice| notice.text.clone()).unwrap_or_default();
+    assert!(told.contains(&format!("{n_frames} frames")) && told.contains("1 mm"), "{told}");
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains(&format!("Frames: {n_frames}")));
+}

@@ -382,7 +382,9 @@ mod crash_tests;
 #[cfg(test)]
 mod library_tests;
 #[cfg(test)]
-mod memory_tests;
+mod memory {
+    mod tests;
+}
 #[cfg(test)]
 mod palette_tests;
 #[cfg(test)]

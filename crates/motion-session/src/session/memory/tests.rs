@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use motion_io::library_file::LibraryFile;
 
-use super::tests::has_motion;
-use super::*;
+use super::super::tests::has_motion;
+use super::super::*;
 
 /// Resident memory of this process in MB: now, and at its highest.
 fn resident_mb() -> Option<(f64, f64)> {

@@ -61,8 +61,9 @@ impl ContainerWriter {
         let content_hash = ContentHash::of(&table);
         out.raw(&content_hash.0);
         out.raw(&table);
-        for (_, bytes) in &self.sections {
-            out.raw(bytes);
+        // A section goes as soon as it is in its place, so that a large file is not there twice.
+        for (_, bytes) in self.sections {
+            out.raw(&bytes);
         }
         (out.into_bytes(), content_hash)
     }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::clip::ClipSet;
 use crate::constraint::SupportCost;
-use crate::graph::{EdgeId, MotionGraph};
+use crate::graph::{ClipPair, EdgeId, MotionGraph};
 use crate::ids::ClipId;
 use crate::planar::PlanarTransform;
 
@@ -40,6 +40,9 @@ struct PairCuts {
     chosen: Range<u32>,
     cheapest: f32,
 }
+
+/// Pairs of clips whose cuts are arranged at once: enough for all threads.
+const PAIRS_AT_ONCE: usize = 1024;
 
 /// The clips and their graph, arranged so that all cuts of a pair lie together, by the length
 /// that they make and then by cost.
@@ -86,28 +89,26 @@ impl SearchLibrary {
                 a.shift().cmp(&b.shift()).then(by_cost)
             });
         };
-        let lists: Vec<(Vec<Cut>, Vec<Cut>, Vec<Cut>)> = forest
-            .pairs()
-            .par_iter()
-            .map(|pair| {
-                let nodes = pair.first_node..pair.end_node;
-                let all = nodes.clone().map(EdgeId);
-                let mut leaves: Vec<Cut> = all.filter(|&id| forest.is_leaf(id)).map(cut).collect();
-                let coarse: Vec<Cut> = forest.roots(nodes.clone()).map(cut).collect();
-                let mut chosen: Vec<Cut> = forest
-                    .roots(nodes)
-                    .filter_map(|root| forest.cheapest_leaf(root))
-                    .map(cut)
-                    .collect();
-                in_order(&mut leaves);
-                in_order(&mut chosen);
-                (leaves, chosen, coarse)
-            })
-            .collect();
+        let cuts_of = |pair: &ClipPair| {
+            let nodes = pair.first_node..pair.end_node;
+            let all = nodes.clone().map(EdgeId);
+            let mut leaves: Vec<Cut> = all.filter(|&id| forest.is_leaf(id)).map(cut).collect();
+            let coarse: Vec<Cut> = forest.roots(nodes.clone()).map(cut).collect();
+            let mut chosen: Vec<Cut> = forest
+                .roots(nodes)
+                .filter_map(|root| forest.cheapest_leaf(root))
+                .map(cut)
+                .collect();
+            in_order(&mut leaves);
+            in_order(&mut chosen);
+            (leaves, chosen, coarse)
+        };
+        let all = 0..forest.n_nodes() as u32;
+        let n_leaves = all.into_par_iter().filter(|&id| forest.is_leaf(EdgeId(id))).count();
         let mut library = Self {
-            leaves: Vec::with_capacity(lists.iter().map(|(l, _, _)| l.len()).sum()),
-            chosen: Vec::with_capacity(lists.iter().map(|(_, c, _)| c.len()).sum()),
-            pairs: Vec::with_capacity(lists.len()),
+            leaves: Vec::with_capacity(n_leaves),
+            chosen: Vec::new(),
+            pairs: Vec::with_capacity(forest.pairs().len()),
             pair_starts: vec![0; graph.n_clips() + 1],
             pairs_into: vec![Vec::new(); graph.n_clips()],
             coarse_out: vec![Vec::new(); graph.n_clips()],
@@ -120,34 +121,43 @@ impl SearchLibrary {
             graph: Arc::clone(&graph),
         };
         library.leaves_the_floor = library.support.iter().any(SupportCost::leaves_the_floor);
-        for (pair, (leaves, chosen, coarse)) in forest.pairs().iter().zip(lists) {
-            library.pair_starts[pair.from.idx() + 1] += 1;
-            library.coarse_out[pair.from.idx()].extend(coarse.iter().map(|&cut| (pair.to, cut)));
-            library.into[pair.to.idx()].extend(chosen.iter().map(|&cut| (pair.from, cut)));
-            library.out[pair.from.idx()].extend(chosen.iter().map(|&cut| (pair.to, cut)));
-            let first_leaf = library.leaves.len() as u32;
-            let first_chosen = library.chosen.len() as u32;
-            let cheapest = chosen.iter().map(|cut| cut.cost).fold(f32::INFINITY, f32::min);
-            library.leaves.extend(leaves);
-            library.chosen.extend(chosen);
-            library.pairs_into[pair.to.idx()].push((pair.from, library.pairs.len() as u32));
-            library.pairs.push(PairCuts {
-                to: pair.to,
-                first_bridge: pair.first_bridge,
-                leaves: first_leaf..library.leaves.len() as u32,
-                chosen: first_chosen..library.chosen.len() as u32,
-                cheapest,
-            });
+        // All lists at once would take as much memory as what is made of them.
+        for batch in forest.pairs().chunks(PAIRS_AT_ONCE) {
+            let lists: Vec<(Vec<Cut>, Vec<Cut>, Vec<Cut>)> =
+                batch.par_iter().map(cuts_of).collect();
+            for (pair, (leaves, chosen, coarse)) in batch.iter().zip(lists) {
+                library.pair_starts[pair.from.idx() + 1] += 1;
+                library.coarse_out[pair.from.idx()]
+                    .extend(coarse.iter().map(|&cut| (pair.to, cut)));
+                library.into[pair.to.idx()].extend(chosen.iter().map(|&cut| (pair.from, cut)));
+                library.out[pair.from.idx()].extend(chosen.iter().map(|&cut| (pair.to, cut)));
+                let first_leaf = library.leaves.len() as u32;
+                let first_chosen = library.chosen.len() as u32;
+                let cheapest = chosen.iter().map(|cut| cut.cost).fold(f32::INFINITY, f32::min);
+                library.leaves.extend(leaves);
+                library.chosen.extend(chosen);
+                library.pairs_into[pair.to.idx()].push((pair.from, library.pairs.len() as u32));
+                library.pairs.push(PairCuts {
+                    to: pair.to,
+                    first_bridge: pair.first_bridge,
+                    leaves: first_leaf..library.leaves.len() as u32,
+                    chosen: first_chosen..library.chosen.len() as u32,
+                    cheapest,
+                });
+            }
         }
         for clip in 0..graph.n_clips() {
             library.pair_starts[clip + 1] += library.pair_starts[clip];
         }
         for out in library.out.iter_mut().chain(&mut library.coarse_out) {
             out.sort_unstable_by_key(|(to, cut)| (cut.from, *to, cut.id));
+            out.shrink_to_fit();
         }
         for into in &mut library.into {
             into.sort_unstable_by(|(_, a), (_, b)| a.cost.total_cmp(&b.cost).then(a.id.cmp(&b.id)));
+            into.shrink_to_fit();
         }
+        library.chosen.shrink_to_fit();
         library
     }
 

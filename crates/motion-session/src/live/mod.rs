@@ -136,6 +136,12 @@ impl LiveSearch {
         &self.latest
     }
 
+    /// The latest request: its number and document.
+    #[cfg(test)]
+    pub(crate) fn submitted(&self) -> Option<(u64, &Document)> {
+        self.wish.request.as_ref().map(|request| (request.number, &request.document))
+    }
+
     /// Whether the worker has ended by itself, which only a mistake of ours can bring about.
     pub fn has_died(&self) -> bool {
         self.worker.as_ref().is_none_or(JoinHandle::is_finished)

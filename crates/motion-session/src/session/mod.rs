@@ -388,4 +388,6 @@ mod memory {
 #[cfg(test)]
 mod palette_tests;
 #[cfg(test)]
+mod random_tests;
+#[cfg(test)]
 mod tests;

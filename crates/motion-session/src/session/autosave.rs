@@ -11,7 +11,6 @@ use std::time::Duration;
 use motion_io::atomic_write::atomic_write;
 use motion_io::diagnostic::{FileError, Warnings};
 use motion_io::limits::MAX_PROJECT_FILE_BYTES;
-use motion_io::pending_file::remove_leftovers;
 use motion_io::project_file::{self, Project};
 use motion_io::read_file::read_file;
 use serde_json::{Value, json};
@@ -67,8 +66,6 @@ pub(super) fn recoveries(folder: &Path) -> Vec<Recovery> {
     paths.retain(|path| path.extension().is_some_and(|ending| ending == AUTOSAVE));
     paths.sort();
     paths.retain(|path| matches!(ProjectLock::of_autosave(path), Ok(Some(_))));
-    // Nobody writes these now.
-    paths.iter().for_each(|path| remove_leftovers(path));
     paths.iter().filter_map(|path| read(path).ok()).collect()
 }
 

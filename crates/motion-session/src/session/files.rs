@@ -200,6 +200,9 @@ impl Session {
             Some(file) => (self.files.lock_for(file)?, Some(held)),
             None => (Some(held), None),
         };
+        if let Some(file) = file.as_deref().filter(|_| lock.is_some()) {
+            remove_leftovers(file);
+        }
         self.files.begin(file, document.clone(), lock);
         self.files.recovered = recovered;
         self.files.is_unsaved = true;

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use motion_io::content_hash::ContentHash;
 use motion_io::diagnostic::FileError;
+use motion_io::pending_file::remove_leftovers;
 
 /// Holds a project for this session.
 #[derive(Debug)]
@@ -83,7 +84,10 @@ impl ProjectLock {
             Err(TryLockError::WouldBlock) => return Ok(None),
             Err(TryLockError::Error(error)) => return Err(FileError::writing(&path, &error)),
         }
-        Ok(Some(Self { _file: file, autosave: folder.join(format!("{name}.{AUTOSAVE}")) }))
+        let autosave = folder.join(format!("{name}.{AUTOSAVE}"));
+        // It is held, so nobody writes it.
+        remove_leftovers(&autosave);
+        Ok(Some(Self { _file: file, autosave }))
     }
 }
 

@@ -265,3 +265,47 @@ fn trace(found: &Found) -> Vec<TracePoint> {
     };
     found.trace.iter().map(point).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use motion_tests::cli::Dir;
+    use motion_tests::walker::small_library;
+    use serde_json::json;
+
+    use super::*;
+    use crate::fixture::walk_to;
+
+    #[test]
+    fn a_take_that_is_found_again_has_what_was_changed_on_it_by_hand() {
+        let dir = Dir::new();
+        for (name, walk) in small_library() {
+            dir.file(&format!("{name}.bvh"), walk.bvh());
+        }
+        let solved = |project: &Project| {
+            let request = ProjectRequest {
+                project,
+                path: Path::new("walk.gaitway"),
+                library: Some(LibraryChoice(Some(dir.path().to_owned()))),
+                mirror: false,
+                no_bridges: false,
+                seed: None,
+                alternatives: Some(2),
+                budget: Budget::Iterations(8),
+            };
+            let (cancel, mut warnings) = (CancelToken::new(), Warnings::new());
+            solve_project(&request, &cancel, &mut warnings, &|_, _| ()).unwrap()
+        };
+        let mut project = walk_to(0.8, 4.0).to_project();
+        let plain = solved(&project);
+        let pieces = &plain.report.characters[0].alternatives[0].pieces;
+        let turn = json!({"id": "joint-1", "kind": "joint", "joint": "LeftArm", "turn": [0.0, 0.0, 20.0],
+            "from": 10, "to": 20, "ease_in": 4, "ease_out": 4});
+        let take = json!({"character": "A", "pieces": pieces, "by_hand": {"edits": [turn]}});
+        project.editor = Some(json!({"takes": [take]}));
+        let changed = solved(&project);
+        let [was, is] = [&plain, &changed].map(|solved| &solved.characters[0].motions);
+        assert_ne!(was[0].rotations(15), is[0].rotations(15));
+        assert_eq!(was[0].rotations(40), is[0].rotations(40));
+        assert_eq!(was[1..], is[1..], "other takes are as they were");
+    }
+}

@@ -8,11 +8,14 @@ use motion_session::preferences::UI_SCALES;
 use motion_session::session::SessionError;
 
 use crate::command_palette::CommandPalette;
+use crate::dialogs::Answers;
 use crate::export::ExportDialog;
 use crate::files::{FileFlow, Next};
 use crate::guide::Guide;
+use crate::log_window::log_window_ui;
 use crate::panels::library::LibraryPanel;
 use crate::panels::{inspector, status, takes, top_bar};
+use crate::settings_window::settings_window_ui;
 use crate::shortcut_sheet::shortcut_sheet_ui;
 use crate::state::{EditorOptions, EditorState};
 use crate::theme;
@@ -32,6 +35,8 @@ pub struct EditorApp {
     palette: CommandPalette,
     sheet_is_open: bool,
     guide: Guide,
+    settings_are_open: bool,
+    log_is_open: bool,
     /// Taking motions out.
     pub export: ExportDialog,
     /// Opening and saving.
@@ -45,8 +50,11 @@ impl EditorApp {
         options: EditorOptions,
     ) -> Result<Self, SessionError> {
         theme::install(&cc.egui_ctx);
-        let answers = options.answers.clone();
+        let mut answers = options.answers.clone();
         let state = EditorState::new(options, &cc.egui_ctx)?;
+        if answers == Answers::System && state.settings.own_file_dialog {
+            answers = Answers::Own;
+        }
         let files = FileFlow::new(answers, &state);
         cc.egui_ctx.set_zoom_factor(state.settings.ui_scale);
         theme::choose(&cc.egui_ctx, state.settings.theme);
@@ -58,6 +66,8 @@ impl EditorApp {
             palette: CommandPalette::default(),
             sheet_is_open: false,
             guide: Guide::default(),
+            settings_are_open: false,
+            log_is_open: false,
             export: ExportDialog::default(),
             files,
         })
@@ -85,6 +95,12 @@ impl EditorApp {
                 UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
                 UiCommand::Export => self.export.open(),
                 UiCommand::ExportAgain => self.export.repeat(&mut self.state),
+                UiCommand::Settings => self.settings_are_open = !self.settings_are_open,
+                UiCommand::Log => self.log_is_open = !self.log_is_open,
+                UiCommand::FullScreen => {
+                    let is_full = ctx.input(|input| input.viewport().fullscreen.unwrap_or(false));
+                    ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(!is_full));
+                }
                 UiCommand::Guide => self.guide.toggle(),
                 UiCommand::FitTimeline => self.timeline.fit(),
                 other if self.files.run(other, &mut self.state, ctx) => {}
@@ -200,6 +216,12 @@ impl eframe::App for EditorApp {
         let view = self.viewport.rect();
         welcome_ui(ui, view, &mut self.state);
         self.guide.ui(ui, view, &mut self.state);
+        let theme = self.state.settings.theme;
+        settings_window_ui(ui, &mut self.state.settings, &mut self.settings_are_open);
+        if self.state.settings.theme != theme {
+            self.state.refresh();
+        }
+        log_window_ui(ui, &self.state.notices, &mut self.log_is_open);
         self.export.ui(ui, &mut self.state, &mut self.files);
         self.files.ui(ui, &mut self.state);
         self.wake_again(&ctx, dt_secs);

@@ -46,6 +46,8 @@ pub struct Settings {
     pub reduced_motion: bool,
     /// Whether the welcome was seen and sent away.
     pub welcome_seen: bool,
+    /// Files are chosen inside the window, though the system has a dialog.
+    pub own_file_dialog: bool,
     /// Where a file was last chosen.
     pub last_folder: Option<PathBuf>,
 }
@@ -73,6 +75,7 @@ impl Settings {
             timeline: p.panel(TIMELINE),
             reduced_motion: p.reduced_motion,
             welcome_seen: p.welcome_seen,
+            own_file_dialog: p.own_file_dialog,
             last_folder: p.last_folder.as_ref().map(PathBuf::from),
         }
     }
@@ -91,6 +94,7 @@ impl Settings {
         p.set_panel(TIMELINE, self.timeline);
         p.reduced_motion = self.reduced_motion;
         p.welcome_seen = self.welcome_seen;
+        p.own_file_dialog = self.own_file_dialog;
         let folder = self.last_folder.as_ref();
         p.last_folder = folder.and_then(|folder| Some(folder.to_str()?.to_owned()));
     }
@@ -126,6 +130,7 @@ mod tests {
             left: PanelLayout { open: false, size_pt: Some(300.0) },
             reduced_motion: true,
             welcome_seen: true,
+            own_file_dialog: true,
             last_folder: Some("/tmp".into()),
             ..Settings::default()
         };

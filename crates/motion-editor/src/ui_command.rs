@@ -63,6 +63,9 @@ pub enum UiCommand {
     FitTimeline,
     Theme,
     Navigation,
+    FullScreen,
+    Settings,
+    Log,
     // Takes.
     /// From 1 to 9.
     ShowTake(u8),
@@ -112,7 +115,8 @@ pub fn menus() -> Vec<Menu> {
                 vec![C::FrameAll, C::ViewFront, C::ViewLeft, C::ViewTop, C::ViewThreeQuarter],
                 vec![C::Perspective, C::Follow, C::Trail, C::Ghosts],
                 vec![C::LeftPanel, C::RightPanel, C::Timeline, C::FitTimeline],
-                vec![C::Theme, C::Navigation],
+                vec![C::Theme, C::Navigation, C::FullScreen],
+                vec![C::Settings, C::Log],
             ],
         ),
         (

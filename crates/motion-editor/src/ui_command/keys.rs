@@ -88,6 +88,9 @@ impl UiCommand {
             Self::FitTimeline => vec![shift(Key::F)],
             Self::Theme => Vec::new(),
             Self::Navigation => Vec::new(),
+            Self::FullScreen => vec![bare(Key::F11)],
+            Self::Settings => vec![ctrl(Key::Comma)],
+            Self::Log => vec![ctrl_shift(Key::L)],
 
             Self::ShowTake(n) => {
                 let digit = DIGITS.get(usize::from(n).wrapping_sub(1));

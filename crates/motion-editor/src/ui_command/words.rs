@@ -91,6 +91,9 @@ impl UiCommand {
                 "Blender or Industry navigation",
                 "Blender: middle button orbits. Industry: Alt with the left, middle, right button",
             ),
+            Self::FullScreen => ("Full screen", "Fills the screen, or no longer does"),
+            Self::Settings => ("Settings…", "Colours, mouse, sizes"),
+            Self::Log => ("Log", "Everything that was said"),
 
             Self::ShowTake(_) => ("Show take", "Shows another motion under the same constraints"),
             Self::FlipTakes => {

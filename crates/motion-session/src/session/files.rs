@@ -222,6 +222,10 @@ impl Session {
     /// only dropped leaves them for [`recoveries`](Self::recoveries).
     pub fn close(&mut self) {
         self.files.forget();
+        // What was given up is not kept again, and as soon as its autosave is gone the project is
+        // anybody's to open.
+        self.files.autosaver = None;
+        self.files.lock = None;
     }
 
     /// Holds a place for a project without a file.

@@ -7,8 +7,10 @@ use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 use motion_session::session::SessionError;
 
 use crate::command_palette::CommandPalette;
+use crate::focus;
 use crate::panels::library::LibraryPanel;
 use crate::panels::{inspector, status, takes, top_bar};
+use crate::settings::Settings;
 use crate::shortcut_sheet::shortcut_sheet_ui;
 use crate::state::{EditorOptions, EditorState};
 use crate::theme;
@@ -55,6 +57,7 @@ impl EditorApp {
         {
             self.sheet_is_open = false;
         }
+        self.viewport.take_keys(ctx, &mut self.state);
         let mut commands = self.state.take_commands();
         commands.extend(pressed(ctx));
         for command in commands {
@@ -66,7 +69,11 @@ impl EditorApp {
                 UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
                 UiCommand::FitTimeline => self.timeline.fit(),
                 UiCommand::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
-                other => self.viewport.run(other),
+                UiCommand::NextPanel | UiCommand::PreviousPanel => {
+                    let ahead = command == UiCommand::NextPanel;
+                    focus::step(ctx, |panel| is_panel_open(panel, &self.state.settings), ahead);
+                }
+                other => self.viewport.run(other, ctx, &mut self.state),
             }
         }
     }
@@ -90,10 +97,10 @@ impl EditorApp {
         let state = &mut self.state;
         let bar = Frame::new().fill(p.panel).inner_margin(Margin::symmetric(4, 0));
         let side = Frame::new().fill(p.panel).inner_margin(Margin::symmetric(12, 4));
-        Panel::top("top bar")
-            .exact_size(theme::TOP_BAR_HEIGHT)
-            .frame(bar)
-            .show(ui, |ui| top_bar::top_bar_ui(ui, state));
+        Panel::top("top bar").exact_size(theme::TOP_BAR_HEIGHT).frame(bar).show(ui, |ui| {
+            focus::anchor_ui(ui, focus::PANELS[0]);
+            top_bar::top_bar_ui(ui, state);
+        });
         Panel::bottom("status")
             .exact_size(theme::STATUS_BAR_HEIGHT)
             .frame(bar)
@@ -104,7 +111,10 @@ impl EditorApp {
                 .default_size(216.0)
                 .size_range(150.0..=480.0)
                 .frame(Frame::new().fill(p.panel))
-                .show(ui, |ui| self.timeline.ui(ui, state));
+                .show(ui, |ui| {
+                    focus::anchor_ui(ui, focus::PANELS[4]);
+                    self.timeline.ui(ui, state);
+                });
         }
         if state.settings.left_open {
             Panel::left("library")
@@ -112,7 +122,10 @@ impl EditorApp {
                 .default_size(248.0)
                 .size_range(180.0..=420.0)
                 .frame(side)
-                .show(ui, |ui| self.library.ui(ui, state));
+                .show(ui, |ui| {
+                    focus::anchor_ui(ui, focus::PANELS[1]);
+                    self.library.ui(ui, state);
+                });
         }
         if state.settings.right_open {
             Panel::right("takes")
@@ -121,6 +134,7 @@ impl EditorApp {
                 .size_range(240.0..=520.0)
                 .frame(side)
                 .show(ui, |ui| {
+                    focus::anchor_ui(ui, focus::PANELS[3]);
                     let scroll = |name| egui::ScrollArea::vertical().id_salt(name);
                     // Whatever is found, what is selected stays in sight.
                     let room = 0.6 * ui.available_height();
@@ -134,7 +148,20 @@ impl EditorApp {
                         .show(ui, |ui| inspector::inspector_ui(ui, state));
                 });
         }
-        CentralPanel::no_frame().show(ui, |ui| self.viewport.ui(ui, state));
+        CentralPanel::no_frame().show(ui, |ui| {
+            focus::anchor_ui(ui, focus::PANELS[2]);
+            self.viewport.ui(ui, state);
+        });
+    }
+}
+
+/// Whether keys can go to a panel.
+fn is_panel_open(panel: &str, settings: &Settings) -> bool {
+    match focus::PANELS.iter().position(|known| *known == panel) {
+        Some(1) => settings.left_open,
+        Some(3) => settings.right_open,
+        Some(4) => settings.timeline_open,
+        _ => true,
     }
 }
 
@@ -144,6 +171,7 @@ impl eframe::App for EditorApp {
         let dt_secs = f64::from(ctx.input(|input| input.unstable_dt));
         self.state.poll(dt_secs);
         self.do_commands(&ctx);
+        self.viewport.forget_hover(&mut self.state);
         self.panels_ui(ui);
         if let Some(command) = self.palette.ui(ui, &self.state) {
             self.state.ask(command);

@@ -15,6 +15,7 @@ pub mod window;
 pub mod state;
 
 pub mod clip_line;
+pub mod focus;
 pub mod mark;
 pub mod notices;
 pub mod project_source;

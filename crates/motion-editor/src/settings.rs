@@ -30,6 +30,35 @@ pub enum Tool {
     Select,
     /// Puts checkpoints on the floor.
     Checkpoint,
+    /// Pulls targets from joints.
+    JointTarget,
+    /// Puts poses of clips on the floor.
+    Pose,
+}
+
+/// Which other moments of the motion are shown, faint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum GhostMode {
+    /// None.
+    #[default]
+    Off,
+    /// Some before and after the playhead.
+    Around,
+    /// Those at which something is asked for.
+    AtConstraints,
+    /// Some spread over the whole motion.
+    Fan,
+}
+
+impl GhostMode {
+    /// Every mode, in the order in which they are gone through.
+    pub const ALL: [Self; 4] = [Self::Off, Self::Around, Self::AtConstraints, Self::Fan];
+
+    /// The one after this, the first after the last.
+    pub fn next(self) -> Self {
+        let at = Self::ALL.iter().position(|mode| *mode == self).unwrap_or_default();
+        Self::ALL[(at + 1) % Self::ALL.len()]
+    }
 }
 
 /// The choices.
@@ -47,8 +76,12 @@ pub struct Settings {
     pub follow_best: bool,
     /// The way over the floor is shown.
     pub trail: bool,
-    /// Other moments are shown.
-    pub ghosts: bool,
+    /// Which other moments are shown.
+    pub ghosts: GhostMode,
+    /// The ways of hands, feet and head are shown.
+    pub joint_trails: bool,
+    /// Nothing glides: the camera jumps.
+    pub reduced_motion: bool,
     /// The library is open.
     pub left_open: bool,
     /// Takes and inspector are open.
@@ -66,7 +99,9 @@ impl Default for Settings {
             follow: false,
             follow_best: false,
             trail: true,
-            ghosts: false,
+            ghosts: GhostMode::Off,
+            joint_trails: false,
+            reduced_motion: false,
             left_open: true,
             right_open: true,
             timeline_open: true,

@@ -37,6 +37,7 @@ fn scene() -> Scene {
         is_exact: true,
         tolerance_m: None,
         label: String::new(),
+        is_off: false,
         emphasis: Emphasis::None,
         pick: RING,
         pick_tip: TIP,
@@ -45,6 +46,7 @@ fn scene() -> Scene {
         position_m: vec3(-2.2, 1.5, 0.0),
         floor_m: 0.0,
         label: String::new(),
+        is_off: false,
         emphasis: Emphasis::None,
         pick: TARGET,
     });

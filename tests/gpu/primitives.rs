@@ -133,6 +133,7 @@ fn checkpoints() {
         is_exact,
         tolerance_m: (!is_exact).then_some(0.45),
         label: label.to_owned(),
+        is_off: false,
         emphasis: Emphasis::None,
         pick: None,
         pick_tip: None,
@@ -149,6 +150,7 @@ fn joint_target() {
         position_m: vec3(0.0, 1.2, 0.0),
         floor_m: 0.0,
         label: "Head 1.20 m".to_owned(),
+        is_off: false,
         emphasis: Emphasis::None,
         pick: None,
     });

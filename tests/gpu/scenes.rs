@@ -109,6 +109,7 @@ fn ten_ghosts_an_obstacle_and_wishes() {
         is_exact: true,
         tolerance_m: None,
         label: format!("2 · f {last}"),
+        is_off: false,
         emphasis: Emphasis::None,
         pick: None,
         pick_tip: None,
@@ -117,6 +118,7 @@ fn ten_ghosts_an_obstacle_and_wishes() {
         position_m: actor.root_at_m(0.5 * last) + vec3(0.6, 0.8, 0.0),
         floor_m: 0.0,
         label: "Head".to_owned(),
+        is_off: false,
         emphasis: Emphasis::None,
         pick: None,
     });

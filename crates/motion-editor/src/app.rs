@@ -11,10 +11,12 @@ use crate::command_palette::CommandPalette;
 use crate::dialogs::Answers;
 use crate::export::ExportDialog;
 use crate::files::{FileFlow, Next};
+use crate::focus;
 use crate::guide::Guide;
 use crate::log_window::log_window_ui;
 use crate::panels::library::LibraryPanel;
 use crate::panels::{inspector, status, takes, top_bar};
+use crate::settings::Settings;
 use crate::settings_window::settings_window_ui;
 use crate::shortcut_sheet::shortcut_sheet_ui;
 use crate::state::{EditorOptions, EditorState};
@@ -81,6 +83,7 @@ impl EditorApp {
         {
             self.sheet_is_open = false;
         }
+        self.viewport.take_keys(ctx, &mut self.state);
         let mut commands = self.state.take_commands();
         // What asks is answered first.
         if !self.files.is_asking() && !self.export.is_open() {
@@ -103,8 +106,12 @@ impl EditorApp {
                 }
                 UiCommand::Guide => self.guide.toggle(),
                 UiCommand::FitTimeline => self.timeline.fit(),
+                UiCommand::NextPanel | UiCommand::PreviousPanel => {
+                    let ahead = command == UiCommand::NextPanel;
+                    focus::step(ctx, |panel| is_panel_open(panel, &self.state.settings), ahead);
+                }
                 other if self.files.run(other, &mut self.state, ctx) => {}
-                other => self.viewport.run(other),
+                other => self.viewport.run(other, ctx, &mut self.state),
             }
         }
     }
@@ -147,10 +154,10 @@ impl EditorApp {
         let state = &mut self.state;
         let bar = Frame::new().fill(p.panel).inner_margin(Margin::symmetric(4, 0));
         let side = Frame::new().fill(p.panel).inner_margin(Margin::symmetric(12, 4));
-        Panel::top("top bar")
-            .exact_size(theme::TOP_BAR_HEIGHT)
-            .frame(bar)
-            .show(ui, |ui| top_bar::top_bar_ui(ui, state));
+        Panel::top("top bar").exact_size(theme::TOP_BAR_HEIGHT).frame(bar).show(ui, |ui| {
+            focus::anchor_ui(ui, focus::PANELS[0]);
+            top_bar::top_bar_ui(ui, state);
+        });
         Panel::bottom("status")
             .exact_size(theme::STATUS_BAR_HEIGHT)
             .frame(bar)
@@ -162,7 +169,10 @@ impl EditorApp {
                 .default_size(size)
                 .size_range(150.0..=480.0)
                 .frame(Frame::new().fill(p.panel))
-                .show(ui, |ui| self.timeline.ui(ui, state));
+                .show(ui, |ui| {
+                    focus::anchor_ui(ui, focus::PANELS[4]);
+                    self.timeline.ui(ui, state);
+                });
             state.settings.timeline.size_pt = Some(shown.response.rect.height());
         }
         if state.settings.left.open {
@@ -172,7 +182,10 @@ impl EditorApp {
                 .default_size(size)
                 .size_range(180.0..=420.0)
                 .frame(side)
-                .show(ui, |ui| self.library.ui(ui, state));
+                .show(ui, |ui| {
+                    focus::anchor_ui(ui, focus::PANELS[1]);
+                    self.library.ui(ui, state);
+                });
             state.settings.left.size_pt = Some(shown.response.rect.width());
         }
         if state.settings.right.open {
@@ -183,6 +196,7 @@ impl EditorApp {
                 .size_range(240.0..=520.0)
                 .frame(side)
                 .show(ui, |ui| {
+                    focus::anchor_ui(ui, focus::PANELS[3]);
                     let scroll = |name| egui::ScrollArea::vertical().id_salt(name);
                     // Whatever is found, what is selected stays in sight.
                     let room = 0.6 * ui.available_height();
@@ -197,7 +211,20 @@ impl EditorApp {
                 });
             state.settings.right.size_pt = Some(shown.response.rect.width());
         }
-        CentralPanel::no_frame().show(ui, |ui| self.viewport.ui(ui, state));
+        CentralPanel::no_frame().show(ui, |ui| {
+            focus::anchor_ui(ui, focus::PANELS[2]);
+            self.viewport.ui(ui, state);
+        });
+    }
+}
+
+/// Whether keys can go to a panel.
+fn is_panel_open(panel: &str, settings: &Settings) -> bool {
+    match focus::PANELS.iter().position(|known| *known == panel) {
+        Some(1) => settings.left.open,
+        Some(3) => settings.right.open,
+        Some(4) => settings.timeline.open,
+        _ => true,
     }
 }
 
@@ -208,6 +235,7 @@ impl eframe::App for EditorApp {
         self.state.poll(dt_secs);
         self.do_commands(&ctx);
         self.see_to_files(&ctx);
+        self.viewport.forget_hover(&mut self.state);
         self.panels_ui(ui);
         if let Some(command) = self.palette.ui(ui, &self.state) {
             self.state.ask(command);

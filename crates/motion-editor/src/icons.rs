@@ -34,6 +34,14 @@ pub const GHOSTS: &str = "\u{e21e}";
 pub const SELECT: &str = "\u{e1c3}";
 /// The checkpoint tool.
 pub const CHECKPOINT: &str = "\u{e123}";
+/// The joint target tool.
+pub const JOINT_TARGET: &str = "\u{e2d2}";
+/// The pose tool.
+pub const POSE: &str = "\u{e465}";
+/// Adds something.
+pub const ADD: &str = "\u{e13d}";
+/// Removes something.
+pub const REMOVE: &str = "\u{e18d}";
 /// Something is wrong.
 pub const ALERT: &str = "\u{e077}";
 /// A folder of files.

@@ -14,6 +14,7 @@ pub mod window;
 
 pub mod state;
 
+pub mod focus;
 pub mod mark;
 pub mod notices;
 pub mod project_source;

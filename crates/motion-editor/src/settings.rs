@@ -15,6 +15,45 @@ pub enum Tool {
     Select,
     /// Puts checkpoints on the floor.
     Checkpoint,
+    /// Pulls targets from joints.
+    JointTarget,
+    /// Puts poses of clips on the floor.
+    Pose,
+}
+
+/// Which other moments of the motion are shown, faint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum GhostMode {
+    /// None.
+    #[default]
+    Off,
+    /// Some before and after the playhead.
+    Around,
+    /// Those at which something is asked for.
+    AtConstraints,
+    /// Some spread over the whole motion.
+    Fan,
+}
+
+impl GhostMode {
+    /// Every mode, in the order in which they are gone through.
+    pub const ALL: [Self; 4] = [Self::Off, Self::Around, Self::AtConstraints, Self::Fan];
+
+    /// What it is remembered by.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Off => "no ghosts",
+            Self::Around => "ghosts around",
+            Self::AtConstraints => "ghosts at constraints",
+            Self::Fan => "ghosts over all",
+        }
+    }
+
+    /// The one after this, the first after the last.
+    pub fn next(self) -> Self {
+        let at = Self::ALL.iter().position(|mode| *mode == self).unwrap_or_default();
+        Self::ALL[(at + 1) % Self::ALL.len()]
+    }
 }
 
 /// The choices.
@@ -34,8 +73,10 @@ pub struct Settings {
     pub follow_best: bool,
     /// The way over the floor is shown.
     pub trail: bool,
-    /// Other moments are shown.
-    pub ghosts: bool,
+    /// Which other moments are shown.
+    pub ghosts: GhostMode,
+    /// The ways of hands, feet and head are shown.
+    pub joint_trails: bool,
     /// The library.
     pub left: PanelLayout,
     /// Takes and inspector.
@@ -56,7 +97,7 @@ const LEFT: &str = "library";
 const RIGHT: &str = "takes";
 const TIMELINE: &str = "timeline";
 const TRAIL: &str = "trail";
-const GHOSTS: &str = "ghosts";
+const JOINT_TRAILS: &str = "joint trails";
 
 impl Settings {
     /// As they were left.
@@ -69,7 +110,11 @@ impl Settings {
             follow: p.follow_character,
             follow_best: p.follow_best,
             trail: p.shows(TRAIL, true),
-            ghosts: p.shows(GHOSTS, false),
+            ghosts: GhostMode::ALL
+                .into_iter()
+                .find(|mode| p.shows(mode.key(), false))
+                .unwrap_or_default(),
+            joint_trails: p.shows(JOINT_TRAILS, false),
             left: p.panel(LEFT),
             right: p.panel(RIGHT),
             timeline: p.panel(TIMELINE),
@@ -88,7 +133,10 @@ impl Settings {
         p.follow_character = self.follow;
         p.follow_best = self.follow_best;
         p.show.insert(TRAIL.to_owned(), self.trail);
-        p.show.insert(GHOSTS.to_owned(), self.ghosts);
+        for mode in GhostMode::ALL {
+            p.show.insert(mode.key().to_owned(), self.ghosts == mode);
+        }
+        p.show.insert(JOINT_TRAILS.to_owned(), self.joint_trails);
         p.set_panel(LEFT, self.left);
         p.set_panel(RIGHT, self.right);
         p.set_panel(TIMELINE, self.timeline);
@@ -126,7 +174,8 @@ mod tests {
             ui_scale: 1.5,
             follow: true,
             trail: false,
-            ghosts: true,
+            ghosts: GhostMode::Fan,
+            joint_trails: true,
             left: PanelLayout { open: false, size_pt: Some(300.0) },
             reduced_motion: true,
             welcome_seen: true,

@@ -9,6 +9,8 @@ use motion_session::sample::SAMPLES;
 
 pub use keys::pressed;
 
+use crate::settings::GhostMode;
+
 /// A command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(missing_docs, reason = "words.rs says of each what it does, to users too")]
@@ -33,6 +35,17 @@ pub enum UiCommand {
     Delete,
     SelectTool,
     CheckpointTool,
+    JointTargetTool,
+    PoseTool,
+    AddCheckpoint,
+    MoveSelection,
+    TurnSelection,
+    BoxSelect,
+    SelectAll,
+    SelectNone,
+    Nudge(Nudge),
+    TurnLeft,
+    TurnRight,
     // Play.
     PlayPause,
     Loop,
@@ -48,15 +61,25 @@ pub enum UiCommand {
     ToStart,
     ToEnd,
     // View.
+    FrameSelection,
     FrameAll,
     ViewFront,
+    ViewBack,
     ViewLeft,
+    ViewRight,
     ViewTop,
     ViewThreeQuarter,
+    ViewPie,
     Perspective,
+    Fly,
     Follow,
     Trail,
+    JointTrails,
     Ghosts,
+    GhostsAre(GhostMode),
+    ReducedMotion,
+    NextPanel,
+    PreviousPanel,
     LeftPanel,
     RightPanel,
     Timeline,
@@ -79,6 +102,42 @@ pub enum UiCommand {
     ShortcutSheet,
 }
 
+/// A small step of what is selected, as the camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Nudge {
+    /// Where to.
+    pub to: Side,
+    /// By 1 cm rather than 10 cm.
+    pub is_fine: bool,
+}
+
+/// A direction on the floor, as the camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// To the left of the picture.
+    Left,
+    /// To its right.
+    Right,
+    /// Away from the camera.
+    Away,
+    /// Towards it.
+    Near,
+}
+
+impl Nudge {
+    /// Every step, the large ones first.
+    pub const ALL: [Self; 8] = [
+        Self { to: Side::Left, is_fine: false },
+        Self { to: Side::Right, is_fine: false },
+        Self { to: Side::Away, is_fine: false },
+        Self { to: Side::Near, is_fine: false },
+        Self { to: Side::Left, is_fine: true },
+        Self { to: Side::Right, is_fine: true },
+        Self { to: Side::Away, is_fine: true },
+        Self { to: Side::Near, is_fine: true },
+    ];
+}
+
 /// A menu: its name, and groups of commands with a line between them.
 pub type Menu = (&'static str, Vec<Vec<UiCommand>>);
 
@@ -99,7 +158,14 @@ pub fn menus() -> Vec<Menu> {
         ),
         (
             "Edit",
-            vec![vec![C::Undo, C::Redo], vec![C::Delete], vec![C::SelectTool, C::CheckpointTool]],
+            vec![
+                vec![C::Undo, C::Redo],
+                vec![C::Delete, C::MoveSelection, C::TurnSelection],
+                vec![C::SelectAll, C::SelectNone, C::BoxSelect],
+                vec![C::SelectTool, C::CheckpointTool, C::JointTargetTool, C::PoseTool],
+                vec![C::AddCheckpoint, C::TurnLeft, C::TurnRight],
+                Nudge::ALL.into_iter().map(C::Nudge).collect(),
+            ],
         ),
         (
             "Play",
@@ -112,10 +178,22 @@ pub fn menus() -> Vec<Menu> {
         (
             "View",
             vec![
-                vec![C::FrameAll, C::ViewFront, C::ViewLeft, C::ViewTop, C::ViewThreeQuarter],
-                vec![C::Perspective, C::Follow, C::Trail, C::Ghosts],
+                vec![C::FrameSelection, C::FrameAll, C::Follow, C::Fly],
+                vec![
+                    C::ViewPie,
+                    C::ViewFront,
+                    C::ViewBack,
+                    C::ViewLeft,
+                    C::ViewRight,
+                    C::ViewTop,
+                    C::ViewThreeQuarter,
+                    C::Perspective,
+                ],
+                vec![C::Trail, C::JointTrails, C::Ghosts],
+                GhostMode::ALL.into_iter().map(C::GhostsAre).collect(),
                 vec![C::LeftPanel, C::RightPanel, C::Timeline, C::FitTimeline],
-                vec![C::Theme, C::Navigation, C::FullScreen],
+                vec![C::NextPanel, C::PreviousPanel],
+                vec![C::Theme, C::Navigation, C::ReducedMotion, C::FullScreen],
                 vec![C::Settings, C::Log],
             ],
         ),

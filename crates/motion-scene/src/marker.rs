@@ -34,6 +34,8 @@ pub struct Checkpoint {
     pub tolerance_m: Option<f32>,
     /// Words beside it: number, frame, miss.
     pub label: String,
+    /// Whether it is missed by what somebody can see: words are in the colour of misses then.
+    pub is_off: bool,
     /// Whether it is marked.
     pub emphasis: Emphasis,
     /// What picking its ring returns.
@@ -51,6 +53,8 @@ pub struct JointTarget {
     pub floor_m: f32,
     /// Words beside it: joint, frame, height.
     pub label: String,
+    /// Whether it is missed by what somebody can see: words are in the colour of misses then.
+    pub is_off: bool,
     /// Whether it is marked.
     pub emphasis: Emphasis,
     /// What picking it returns.
@@ -90,7 +94,7 @@ impl Checkpoint {
 
     /// The words beside it.
     pub fn to_label(&self, theme: Theme) -> Option<Label> {
-        label(&self.label, self.position_m, RING_RADIUS_M, theme)
+        label(&self.label, self.is_off, (self.position_m, RING_RADIUS_M), theme)
     }
 
     fn color(&self, theme: Theme) -> LinearRgba {
@@ -121,7 +125,7 @@ impl JointTarget {
     /// The words above it.
     pub fn to_label(&self, theme: Theme) -> Option<Label> {
         let above = self.position_m + Vec3::Y * TARGET_RADIUS_M;
-        label(&self.label, above, 0.0, theme)
+        label(&self.label, self.is_off, (above, 0.0), theme)
     }
 }
 
@@ -133,7 +137,8 @@ fn marked(role: ColorRole, emphasis: Emphasis, theme: Theme) -> LinearRgba {
     }
 }
 
-fn label(text: &str, at_m: Vec3, clear_m: f32, theme: Theme) -> Option<Label> {
+fn label(text: &str, is_off: bool, (at_m, clear_m): (Vec3, f32), theme: Theme) -> Option<Label> {
+    let role = if is_off { ColorRole::Miss } else { ColorRole::Text };
     (!text.is_empty()).then(|| Label {
         text: text.to_owned(),
         place: LabelPlace::World(at_m),
@@ -141,7 +146,7 @@ fn label(text: &str, at_m: Vec3, clear_m: f32, theme: Theme) -> Option<Label> {
         clear_m,
         occlusion: Occlusion::Shown,
         size_pt: LABEL_PT,
-        color: ColorRole::Text.color(theme),
+        color: role.color(theme),
         plate: Some(ColorRole::TextPlate.color(theme).with_alpha(0.82)),
     })
 }
@@ -186,6 +191,7 @@ mod tests {
             is_exact: false,
             tolerance_m: Some(0.8),
             label: "1 · f 0".to_owned(),
+            is_off: false,
             emphasis: Emphasis::None,
             pick: PickId::nth(0),
             pick_tip: PickId::nth(1),
@@ -235,6 +241,7 @@ mod tests {
             position_m: Vec3::new(1.0, 1.8, 2.0),
             floor_m: 0.3,
             label: String::new(),
+            is_off: false,
             emphasis: Emphasis::Selected,
             pick: None,
         };

@@ -30,6 +30,18 @@ fn hint(state: &EditorState) -> String {
                 tool"
             .to_owned();
     }
+    match state.settings.tool {
+        Tool::JointTarget => {
+            return "Drag from a joint to where it must be · Z lifts it · Esc leaves the tool"
+                .to_owned();
+        }
+        Tool::Pose => {
+            return "Click on the floor for the pose · R or the wheel turns it · [ ] choose its frame \
+                    · Esc leaves the tool"
+                .to_owned();
+        }
+        Tool::Select | Tool::Checkpoint => {}
+    }
     if let Some(mark) = state.selected_mark() {
         return format!("{} at f {}: {}", mark.title(), mark.frame(), mark.miss_text());
     }

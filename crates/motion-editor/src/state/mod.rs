@@ -4,6 +4,8 @@
 //! only a window has: the order of the takes, what they look like, how panels are set up.
 
 mod edit;
+pub mod moving;
+mod nudge;
 mod playing;
 mod preview;
 mod run;
@@ -86,10 +88,14 @@ pub struct EditorState {
     pub welcomes: bool,
     /// How often something was exported.
     pub n_exports: usize,
+    /// What the pose tool places: a clip and a frame of it.
+    pub pose_clip: Option<(String, u32)>,
     /// Whether cards stay in their places because the pointer is over them.
     pub cards_are_held: bool,
     /// What was asked for since the last frame.
     commands: Vec<UiCommand>,
+    /// The last small step by key, which the next one of its kind joins.
+    merging: Option<nudge::Merging>,
     /// Wakes the window.
     wake: egui::Context,
 }
@@ -134,6 +140,8 @@ impl EditorState {
             hovered: None,
             welcomes,
             n_exports: 0,
+            pose_clip: None,
+            merging: None,
             cards_are_held: false,
             commands: Vec::new(),
             wake: ctx.clone(),
@@ -257,7 +265,8 @@ impl EditorState {
         match target {
             PickTarget::Checkpoint { character, constraint }
             | PickTarget::CheckpointTip { character, constraint }
-            | PickTarget::JointTarget { character, constraint } => {
+            | PickTarget::JointTarget { character, constraint }
+            | PickTarget::Pose { character, constraint } => {
                 let character = CharacterIdx(character);
                 let id = &document.character(character)?.constraints.get(constraint)?.id;
                 Some(Selectable::Constraint(motion_session::document::ConstraintRef::new(

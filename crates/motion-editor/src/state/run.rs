@@ -6,6 +6,9 @@ use super::EditorState;
 use crate::settings::{Navigation, Tool};
 use crate::ui_command::UiCommand as C;
 
+/// What a key turns by.
+const TURN_DEG: f64 = 5.0;
+
 impl EditorState {
     /// Does a command that needs nothing but the state; gives whether it was one. What cannot be
     /// done now is not.
@@ -90,6 +93,13 @@ impl EditorState {
                 self.settings.tool = Tool::Select;
             }
             C::CheckpointTool => self.settings.tool = Tool::Checkpoint,
+            C::JointTargetTool => self.settings.tool = Tool::JointTarget,
+            C::PoseTool => self.settings.tool = Tool::Pose,
+            C::AddCheckpoint => self.add_checkpoint_ahead(),
+            C::SelectAll => self.select_all(),
+            C::SelectNone => self.session.selection_mut().clear(),
+            C::TurnLeft => self.turn_selected(TURN_DEG),
+            C::TurnRight => self.turn_selected(-TURN_DEG),
             _ => return false,
         }
         true
@@ -101,7 +111,10 @@ impl EditorState {
         match command {
             C::Follow => flip(&mut settings.follow),
             C::Trail => flip(&mut settings.trail),
-            C::Ghosts => flip(&mut settings.ghosts),
+            C::JointTrails => flip(&mut settings.joint_trails),
+            C::Ghosts => settings.ghosts = settings.ghosts.next(),
+            C::GhostsAre(mode) => settings.ghosts = mode,
+            C::ReducedMotion => flip(&mut settings.reduced_motion),
             C::LeftPanel => flip(&mut settings.left.open),
             C::RightPanel => flip(&mut settings.right.open),
             C::Timeline => flip(&mut settings.timeline.open),

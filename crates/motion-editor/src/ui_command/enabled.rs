@@ -3,7 +3,7 @@
 use motion_session::selection::Selectable;
 
 use super::UiCommand;
-use crate::settings::Tool;
+use crate::settings::{GhostMode, Tool};
 use crate::state::EditorState;
 
 impl UiCommand {
@@ -19,6 +19,14 @@ impl UiCommand {
                     Some(Selectable::Constraint(_) | Selectable::Obstacle(_))
                 )
             }
+            Self::MoveSelection
+            | Self::TurnSelection
+            | Self::Nudge(_)
+            | Self::TurnLeft
+            | Self::TurnRight => {
+                let document = state.session.document();
+                state.session.selection().constraints(document).next().is_some()
+            }
             Self::ShowTake(n) => usize::from(n) <= state.cards.len(),
             Self::FlipTakes => state.shown_before.is_some(),
             Self::PlayPause
@@ -31,6 +39,7 @@ impl UiCommand {
             | Self::ToStart
             | Self::ToEnd
             | Self::FrameAll
+            | Self::FrameSelection
             | Self::FitTimeline => state.shown_card().is_some(),
             _ => true,
         }
@@ -47,7 +56,12 @@ impl UiCommand {
             Self::FollowBest => settings.follow_best,
             Self::PauseSearch => state.session.is_search_paused(),
             Self::Trail => settings.trail,
-            Self::Ghosts => settings.ghosts,
+            Self::JointTargetTool => settings.tool == Tool::JointTarget,
+            Self::PoseTool => settings.tool == Tool::Pose,
+            Self::JointTrails => settings.joint_trails,
+            Self::Ghosts => settings.ghosts != GhostMode::Off,
+            Self::GhostsAre(mode) => settings.ghosts == mode,
+            Self::ReducedMotion => settings.reduced_motion,
             Self::LeftPanel => settings.left.open,
             Self::RightPanel => settings.right.open,
             Self::Timeline => settings.timeline.open,

@@ -2,7 +2,7 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::UiCommand;
+use super::{Nudge, Side, UiCommand};
 
 const fn bare(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::NONE, key)
@@ -22,6 +22,25 @@ const fn ctrl_shift(key: Key) -> KeyboardShortcut {
 
 const fn alt(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::ALT, key)
+}
+
+const fn alt_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::ALT.plus(Modifiers::SHIFT), key)
+}
+
+const fn ctrl_alt(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::CTRL.plus(Modifiers::ALT), key)
+}
+
+/// The arrows nudge with Alt, as without it they go through frames.
+fn nudge(nudge: Nudge) -> KeyboardShortcut {
+    let key = match nudge.to {
+        Side::Left => Key::ArrowLeft,
+        Side::Right => Key::ArrowRight,
+        Side::Away => Key::ArrowUp,
+        Side::Near => Key::ArrowDown,
+    };
+    if nudge.is_fine { alt_shift(key) } else { alt(key) }
 }
 
 /// The row of digits. Windows cannot tell the number pad from it, so views have Alt.
@@ -58,6 +77,17 @@ impl UiCommand {
             Self::Delete => vec![bare(Key::Delete), bare(Key::X)],
             Self::SelectTool => vec![bare(Key::Q), bare(Key::Escape)],
             Self::CheckpointTool => vec![bare(Key::C)],
+            Self::JointTargetTool => vec![bare(Key::T)],
+            Self::PoseTool => vec![bare(Key::P)],
+            Self::AddCheckpoint => vec![shift(Key::A)],
+            Self::MoveSelection => vec![bare(Key::G)],
+            Self::TurnSelection => vec![bare(Key::R)],
+            Self::BoxSelect => vec![bare(Key::B)],
+            Self::SelectAll => vec![ctrl(Key::A)],
+            Self::SelectNone => vec![alt(Key::A)],
+            Self::Nudge(by) => vec![nudge(by)],
+            Self::TurnLeft => vec![bare(Key::Comma)],
+            Self::TurnRight => vec![shift(Key::Comma)],
 
             Self::PlayPause => vec![bare(Key::Space)],
             Self::Loop => vec![shift(Key::L)],
@@ -73,15 +103,25 @@ impl UiCommand {
             Self::ToStart => vec![ctrl(Key::ArrowLeft)],
             Self::ToEnd => vec![ctrl(Key::ArrowRight)],
 
-            Self::FrameAll => vec![bare(Key::F), bare(Key::Home), bare(Key::Period)],
+            Self::FrameSelection => vec![bare(Key::F), bare(Key::Period)],
+            Self::FrameAll => vec![bare(Key::Home)],
             Self::ViewFront => vec![alt(Key::Num1)],
+            Self::ViewBack => vec![ctrl_alt(Key::Num1)],
             Self::ViewLeft => vec![alt(Key::Num3)],
+            Self::ViewRight => vec![ctrl_alt(Key::Num3)],
+            Self::ViewPie => vec![bare(Key::Backtick)],
+            Self::Fly => vec![shift(Key::Backtick)],
             Self::ViewTop => vec![alt(Key::Num7)],
             Self::ViewThreeQuarter => vec![alt(Key::Num9)],
             Self::Perspective => vec![alt(Key::Num5)],
             Self::Follow => vec![alt(Key::Num0)],
             Self::Trail => Vec::new(),
+            Self::JointTrails => Vec::new(),
             Self::Ghosts => Vec::new(),
+            Self::GhostsAre(_) => Vec::new(),
+            Self::ReducedMotion => Vec::new(),
+            Self::NextPanel => vec![bare(Key::F6)],
+            Self::PreviousPanel => vec![shift(Key::F6)],
             Self::LeftPanel => Vec::new(),
             Self::RightPanel => Vec::new(),
             Self::Timeline => Vec::new(),
@@ -118,6 +158,12 @@ pub fn pressed(ctx: &egui::Context) -> Vec<UiCommand> {
     if ctx.text_edit_focused() {
         return Vec::new();
     }
+    // Who goes through the window by Tab means the button that is lit, not the motion.
+    let is_on_widget = crate::focus::is_on_widget(ctx);
+    let is_of_widget = |shortcut: &KeyboardShortcut| {
+        let keys = [Key::Tab, Key::Space, Key::Enter];
+        is_on_widget && shortcut.modifiers.is_none() && keys.contains(&shortcut.logical_key)
+    };
     let of = |command: UiCommand| command.shortcuts().into_iter().map(move |key| (key, command));
     let mut keys: Vec<_> = UiCommand::all().into_iter().flat_map(of).collect();
     // Shift+→ would also do for →: what asks for more is looked at first.
@@ -127,7 +173,7 @@ pub fn pressed(ctx: &egui::Context) -> Vec<UiCommand> {
     });
     ctx.input_mut(|input| {
         keys.iter()
-            .filter(|(shortcut, _)| input.consume_shortcut(shortcut))
+            .filter(|(shortcut, _)| !is_of_widget(shortcut) && input.consume_shortcut(shortcut))
             .map(|(_, command)| *command)
             .collect()
     })

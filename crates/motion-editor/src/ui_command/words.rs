@@ -2,7 +2,8 @@
 
 use motion_session::sample::SAMPLES;
 
-use super::UiCommand;
+use super::{Nudge, Side, UiCommand};
+use crate::settings::GhostMode;
 
 impl UiCommand {
     /// What menus say.
@@ -53,6 +54,33 @@ impl UiCommand {
                 "Press on the floor where the body must be, drag to where it looks",
             ),
 
+            Self::JointTargetTool => (
+                "Joint target tool",
+                "Drag from a joint to where it must be; hold Z to lift it, the head is always lifted",
+            ),
+            Self::PoseTool => (
+                "Pose tool",
+                "Click on the floor for a pose of a clip; R or the wheel turns it, [ and ] choose its \
+                 frame",
+            ),
+            Self::AddCheckpoint => (
+                "Add checkpoint here",
+                "Puts a checkpoint in front of the character, at the playhead",
+            ),
+            Self::MoveSelection => (
+                "Move",
+                "What is selected follows the pointer; X, Y, Z hold an axis, digits say how far",
+            ),
+            Self::TurnSelection => {
+                ("Turn", "What is selected turns with the pointer; digits say how far")
+            }
+            Self::BoxSelect => ("Select a box", "Drag a box around what is to be selected"),
+            Self::SelectAll => ("Select all", "Selects every constraint of the character"),
+            Self::SelectNone => ("Select nothing", "Nothing is selected any more"),
+            Self::Nudge(nudge) => nudge_words(nudge),
+            Self::TurnLeft => ("Turn left by 5°", "Turns what is selected"),
+            Self::TurnRight => ("Turn right by 5°", "Turns what is selected"),
+
             Self::PlayPause => ("Play or pause", "Plays the shown take, or pauses it"),
             Self::Loop => ("Loop", "Begins again at the end"),
             Self::Slower => ("Slower", "How fast time goes, 0.1× to 4×"),
@@ -69,8 +97,18 @@ impl UiCommand {
             Self::ToStart => ("First frame", "Goes to the beginning of what is played"),
             Self::ToEnd => ("Last frame", "Goes to the end of what is played"),
 
+            Self::FrameSelection => {
+                ("Frame selection", "Brings what is selected into view, or all of the motion")
+            }
             Self::FrameAll => ("Frame all", "Brings the whole motion into view"),
             Self::ViewFront => ("View from the front", "Looks along −Z"),
+            Self::ViewBack => ("View from behind", "Looks along +Z"),
+            Self::ViewRight => ("View from the right", "Looks along +X, at the body's right"),
+            Self::ViewPie => ("Views…", "The usual views around the pointer"),
+            Self::Fly => (
+                "Fly",
+                "W, A, S, D, Q and E move the camera, the mouse turns it, the wheel says how fast",
+            ),
             Self::ViewLeft => ("View from the left", "Looks along −X, at the body's left"),
             Self::ViewTop => ("View from above", "Looks down"),
             Self::ViewThreeQuarter => {
@@ -81,7 +119,31 @@ impl UiCommand {
             Self::Trail => {
                 ("Show the way over the floor", "Where the body goes: past orange, future blue")
             }
-            Self::Ghosts => ("Show ghosts", "Shows other moments of the motion, faint"),
+            Self::JointTrails => (
+                "Show ways of hands, feet and head",
+                "A dot for every frame: past orange, future blue",
+            ),
+            Self::Ghosts => (
+                "Show ghosts",
+                "Other moments, faint: around the frame, at constraints, over the motion, none",
+            ),
+            Self::GhostsAre(mode) => match mode {
+                GhostMode::Off => ("No ghosts", "Shows this moment only"),
+                GhostMode::Around => {
+                    ("Ghosts around the frame", "Shows some moments before and after, faint")
+                }
+                GhostMode::AtConstraints => {
+                    ("Ghosts at constraints", "Shows the moments at which something is asked for")
+                }
+                GhostMode::Fan => {
+                    ("Ghosts over the whole motion", "Shows moments of all of the motion, faint")
+                }
+            },
+            Self::ReducedMotion => ("Reduced motion", "The camera jumps instead of gliding"),
+            Self::NextPanel => {
+                ("Next panel", "Keys go to the next panel; Tab goes through what is in it")
+            }
+            Self::PreviousPanel => ("Previous panel", "Keys go to the panel before"),
             Self::LeftPanel => ("Library panel", "Shows the panel, or hides it"),
             Self::RightPanel => ("Takes panel", "Shows the panel, or hides it"),
             Self::Timeline => ("Timeline panel", "Shows the panel, or hides it"),
@@ -112,4 +174,19 @@ impl UiCommand {
             Self::ShortcutSheet => ("Keyboard shortcuts", "Every key on one sheet"),
         }
     }
+}
+
+fn nudge_words(nudge: Nudge) -> (&'static str, &'static str) {
+    const ABOUT: &str = "Moves what is selected over the floor, as the camera sees it";
+    let label = match (nudge.to, nudge.is_fine) {
+        (Side::Left, false) => "Nudge left by 10 cm",
+        (Side::Right, false) => "Nudge right by 10 cm",
+        (Side::Away, false) => "Nudge away by 10 cm",
+        (Side::Near, false) => "Nudge near by 10 cm",
+        (Side::Left, true) => "Nudge left by 1 cm",
+        (Side::Right, true) => "Nudge right by 1 cm",
+        (Side::Away, true) => "Nudge away by 1 cm",
+        (Side::Near, true) => "Nudge near by 1 cm",
+    };
+    (label, ABOUT)
 }

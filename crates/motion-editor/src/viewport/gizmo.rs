@@ -2,7 +2,7 @@
 
 use egui::{Align2, CursorIcon, FontId, Pos2, Rect, Role, Sense, Stroke, Ui, Vec2, WidgetInfo};
 use glam::Vec3;
-use motion_scene::camera::{OrbitCamera, StandardView};
+use motion_scene::camera::{OrbitCamera, Projection, StandardView};
 
 use crate::theme;
 
@@ -10,6 +10,8 @@ use crate::theme;
 const REACH_PT: f32 = 32.0;
 const BALL_PT: f32 = 8.5;
 const SMALL_BALL_PT: f32 = 5.5;
+/// The middle can be clicked so far around, points.
+const MIDDLE_PT: f32 = 8.0;
 
 /// An end of an axis.
 struct End {
@@ -32,15 +34,35 @@ fn ends() -> [End; 6] {
     ]
 }
 
-/// Draws the axes around `center`. Gives the view that was clicked, if one was; a drag circles.
-pub fn gizmo_ui(ui: &mut Ui, center: Pos2, camera: &mut OrbitCamera) -> Option<StandardView> {
+/// What was done to the gizmo.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clicked {
+    /// An axis: a view along it is wanted.
+    View(StandardView),
+    /// The middle: with vanishing points, or without.
+    Middle,
+    /// It was dragged, and the camera circled.
+    Dragged,
+}
+
+/// What tests and screen readers call the middle.
+pub const MIDDLE: &str = "Perspective on or off";
+
+/// The room it takes around `center`.
+pub fn room(center: Pos2) -> Rect {
+    Rect::from_center_size(center, Vec2::splat(2.0 * (REACH_PT + BALL_PT)))
+}
+
+/// Draws the axes around `center`. Gives what was done to them.
+pub fn gizmo_ui(ui: &mut Ui, center: Pos2, camera: &mut OrbitCamera) -> Option<Clicked> {
     let palette = theme::of(ui);
-    let around = Rect::from_center_size(center, Vec2::splat(2.0 * (REACH_PT + BALL_PT)));
+    let around = room(center);
     let whole = ui.interact(around, ui.scope_id().with("gizmo"), Sense::drag());
     if whole.dragged() {
         let by = whole.drag_delta() * (std::f32::consts::PI / around.width());
         camera.orbit(-by.x, by.y);
     }
+    let mut clicked = whole.dragged().then_some(Clicked::Dragged);
     if whole.hovered() || whole.dragged() {
         let ground = palette.raised.gamma_multiply(0.5);
         ui.painter().circle_filled(center, around.width() / 2.0, ground);
@@ -51,7 +73,6 @@ pub fn gizmo_ui(ui: &mut Ui, center: Pos2, camera: &mut OrbitCamera) -> Option<S
         ends().into_iter().map(|end| (into_view * end.direction, end)).collect();
     // The farthest first, so that near ones cover it.
     placed.sort_by(|(a, _), (b, _)| a.z.total_cmp(&b.z));
-    let mut clicked = None;
     for (in_view, end) in placed {
         let at = center + Vec2::new(in_view.x, -in_view.y) * REACH_PT;
         // The end below the floor cannot be looked from.
@@ -70,7 +91,7 @@ pub fn gizmo_ui(ui: &mut Ui, center: Pos2, camera: &mut OrbitCamera) -> Option<S
                 ground = palette.text;
             }
             if response.clicked() {
-                clicked = Some(end.view);
+                clicked = Some(Clicked::View(end.view));
             }
         }
         if named {
@@ -80,5 +101,23 @@ pub fn gizmo_ui(ui: &mut Ui, center: Pos2, camera: &mut OrbitCamera) -> Option<S
         let font = FontId { size: 11.0, ..theme::heading() };
         ui.painter().text(at, Align2::CENTER_CENTER, end.letter, font, palette.base);
     }
-    clicked
+    middle_ui(ui, center, camera).or(clicked)
+}
+
+/// The middle: a dot for vanishing points, a square for none.
+fn middle_ui(ui: &Ui, center: Pos2, camera: &OrbitCamera) -> Option<Clicked> {
+    let palette = theme::of(ui);
+    let place = Rect::from_center_size(center, Vec2::splat(2.0 * MIDDLE_PT));
+    let response = ui.interact(place, ui.scope_id().with("middle"), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, MIDDLE));
+    let color = if response.hovered() { palette.text } else { palette.faint };
+    match camera.projection {
+        Projection::Perspective { .. } => drop(ui.painter().circle_filled(center, 4.0, color)),
+        Projection::Orthographic => {
+            let square = Rect::from_center_size(center, Vec2::splat(7.0));
+            ui.painter().rect_filled(square, 1.0, color);
+        }
+    }
+    let response = response.on_hover_cursor(CursorIcon::PointingHand).on_hover_text(MIDDLE);
+    response.clicked().then_some(Clicked::Middle)
 }

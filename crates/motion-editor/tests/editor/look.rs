@@ -4,6 +4,7 @@ use egui::{Key, Modifiers, Role, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use motion_editor::app::EditorApp;
+use motion_editor::settings::GhostMode;
 use motion_editor::{timeline, viewport};
 
 use crate::window::{open, quiet, solved};
@@ -52,7 +53,7 @@ fn a_press_on_the_ruler_scrubs() {
 #[test]
 fn the_palette_finds_a_command_and_does_it() {
     let Some(mut harness) = solved() else { return };
-    assert!(!harness.state().state.settings.ghosts);
+    assert_eq!(harness.state().state.settings.ghosts, GhostMode::Off);
     harness.key_press_modifiers(Modifiers::CTRL, Key::P);
     harness.run_steps(3);
     harness.event(egui::Event::Text("ghost".to_owned()));
@@ -60,7 +61,7 @@ fn the_palette_finds_a_command_and_does_it() {
     harness.get_by_role_and_label(Role::ListItem, "Show ghosts");
     harness.key_press(Key::Enter);
     harness.run_steps(3);
-    assert!(harness.state().state.settings.ghosts);
+    assert_eq!(harness.state().state.settings.ghosts, GhostMode::Around);
     let line = harness.query_by_role_and_label(Role::ListItem, "Show ghosts");
     assert!(line.is_none(), "it closes");
 }

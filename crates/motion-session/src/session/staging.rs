@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::{Mat4, Vec2, Vec3};
+use motion_io::project_file::{Constraint, ConstraintKind};
 use motion_scene::color::Theme;
 
 use super::Session;
@@ -9,6 +11,7 @@ use crate::document::{CharacterIdx, TakeId};
 use crate::live::Take;
 use crate::stage::actor::Actor;
 use crate::stage::cast::look_of;
+use crate::stage::pose_wishes::{PoseWish, placed_pose, top_of_m};
 use crate::stage::{Role, Stage};
 
 impl Session {
@@ -31,10 +34,47 @@ impl Session {
                 root_path_m: made
                     .map(|made| made.motion.root_positions_m().to_vec())
                     .unwrap_or_default(),
+                poses: self.pose_wishes(CharacterIdx(nth)),
             }
         };
         let roles = characters.iter().enumerate().map(role).collect();
         Stage { theme, actors, roles, obstacles: self.document().obstacles().to_vec() }
+    }
+
+    /// A character's pose constraints as bodies. One that may be anywhere is where the shown motion
+    /// is at its frame, and where there is none it stays where its clip has it.
+    fn pose_wishes(&self, character: CharacterIdx) -> Vec<PoseWish> {
+        let Some(ready) = self.library() else { return Vec::new() };
+        let constraints = self.document().character(character).map_or(&[][..], |c| &c.constraints);
+        let made = self.shown_of(character).and_then(|shown| shown.take.made.as_ref());
+        let body_at = |frame: u32| {
+            let roots = made?.motion.root_positions_m();
+            let root_m = roots.get(frame as usize).or(roots.last())?;
+            Some(Vec2::new(root_m.x, root_m.z))
+        };
+        let wish = |(nth, constraint): (usize, &Constraint)| {
+            let ConstraintKind::Pose { frame, clip, clip_frame, position_m, heading_deg, height_m } =
+                &constraint.kind
+            else {
+                return None;
+            };
+            let at_m = position_m.map(|[x, z]| Vec2::new(x as f32, z as f32));
+            let heading_rad = heading_deg.map(|deg| deg.to_radians() as f32);
+            let at_m = at_m.or_else(|| body_at(*frame));
+            let mut world = placed_pose(ready, clip, *clip_frame, at_m, heading_rad)?;
+            let up = Mat4::from_translation(Vec3::Y * height_m.unwrap_or_default() as f32);
+            world.iter_mut().for_each(|joint| *joint = up * *joint);
+            Some(PoseWish {
+                constraint: nth,
+                id: constraint.id.clone(),
+                frame: *frame,
+                source: format!("{clip}:{clip_frame}"),
+                mesh: ready.figure.mesh,
+                top_m: top_of_m(&world),
+                world_from_joint: world,
+            })
+        };
+        constraints.iter().enumerate().filter_map(wish).collect()
     }
 
     /// A character in a take of its own, to be shown as a ghost or beside another; `None` while its

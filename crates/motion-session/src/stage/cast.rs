@@ -87,6 +87,7 @@ pub fn stage_of_project(
             .get(take)
             .map(|motion| motion.root_positions_m().to_vec())
             .unwrap_or_default(),
+        poses: Vec::new(),
     });
     Stage { theme, actors, roles: roles.collect(), obstacles: project.obstacles.clone() }
 }

@@ -15,6 +15,7 @@ pub mod fan;
 pub mod head_droop;
 pub mod obstacles;
 pub mod pose;
+pub mod pose_wishes;
 pub mod ramp;
 pub mod standing;
 pub mod wishes;
@@ -25,6 +26,7 @@ pub mod smooth;
 pub mod viewpoint;
 
 use glam::Vec3;
+use motion_core::ids::JointIdx;
 use motion_io::project_file::{Constraint, Obstacle};
 use motion_io::report_file::ConstraintReport;
 use motion_scene::body::{GHOST_ALPHA, Look};
@@ -36,6 +38,7 @@ use motion_scene::trail::Trail;
 
 use actor::Actor;
 use pick::{PickTarget, Picks};
+use pose_wishes::PoseWish;
 use wishes::Reality;
 
 /// Actors and what is around them.
@@ -61,6 +64,8 @@ pub struct Role {
     /// Where the body's root is by frame, as the constraints count it: on the library's skeleton,
     /// whose legs may be longer than the figure's.
     pub root_path_m: Vec<Vec3>,
+    /// Bodies in the poses that are asked for, where somebody could pose them.
+    pub poses: Vec<PoseWish>,
 }
 
 /// What is shown of a moment besides bodies and obstacles.
@@ -115,19 +120,15 @@ impl Stage {
             body.pick = picks.name(PickTarget::Actor { actor: nth });
             scene.bodies.push(body);
         }
-        for (nth, actor) in self.actors.iter().enumerate() {
+        for actor in &self.actors {
             if show.trail {
                 let points_m = actor.ground_path_m();
                 let now = pose::between(points_m.len(), frame).0;
                 scene.trails.push(Trail { points_m, now });
             }
-            for ghost in fan::spread(actor.n_frames(), show.ghosts) {
-                let color = self.time_color(ghost, actor.n_frames());
-                let look = Look::Ghost(color.with_alpha(GHOST_ALPHA));
-                let mut body = actor.body_at(ghost as f64, look);
-                body.pick = picks.name(PickTarget::Ghost { actor: nth, frame: ghost });
-                scene.bodies.push(body);
-            }
+        }
+        for (nth, actor) in self.actors.iter().enumerate() {
+            self.add_ghosts(&mut staged, nth, &fan::spread(actor.n_frames(), show.ghosts));
         }
         staged
     }
@@ -175,8 +176,33 @@ impl Stage {
             scene.checkpoints.extend(found.checkpoints);
             scene.joint_targets.extend(found.joint_targets);
             scene.lines.extend(found.lines);
+            for pose in &role.poses {
+                let (body, label) = pose.staged(nth, &role.misses, self.theme, &mut picks);
+                scene.bodies.push(body);
+                scene.labels.push(label);
+            }
         }
         Staged { scene, picks }
+    }
+
+    /// Puts an actor beside itself, at other frames, faint and in the colours of those times.
+    pub fn add_ghosts(&self, staged: &mut Staged, actor: usize, frames: &[usize]) {
+        let Some(of) = self.actors.get(actor) else { return };
+        for &frame in frames {
+            let color = self.time_color(frame, of.n_frames());
+            let mut body = of.body_at(frame as f64, Look::Ghost(color.with_alpha(GHOST_ALPHA)));
+            body.pick = staged.picks.name(PickTarget::Ghost { actor, frame });
+            staged.scene.bodies.push(body);
+        }
+    }
+
+    /// Draws the way of an actor's joint, a dot for every frame, what is past at `frame` in another
+    /// colour than what is to come.
+    pub fn add_joint_trail(&self, staged: &mut Staged, actor: usize, joint: JointIdx, frame: f64) {
+        let Some(of) = self.actors.get(actor) else { return };
+        let points_m = of.motion.joint_path_m(&of.skeleton, joint);
+        let now = pose::between(points_m.len(), frame).0;
+        staged.scene.trails.push(Trail { points_m, now });
     }
 
     /// The colour of a frame among `n_frames`.

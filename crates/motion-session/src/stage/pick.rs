@@ -38,6 +38,13 @@ pub enum PickTarget {
         /// Which of the character's constraints.
         constraint: usize,
     },
+    /// A pose constraint.
+    Pose {
+        /// Whose.
+        character: usize,
+        /// Which of the character's constraints.
+        constraint: usize,
+    },
     /// Something in the way.
     Obstacle {
         /// Which of the project's.

@@ -32,6 +32,8 @@ pub struct Wishes {
 
 /// A miss smaller than this is none that anybody could see, metres.
 const SHOWN_MISS_M: f64 = 0.005;
+/// And a heading that is off by less, degrees.
+const SHOWN_MISS_DEG: f64 = 0.5;
 /// From a checkpoint to a body further away than this a line is drawn, metres.
 const JOINED_MISS_M: f32 = 0.02;
 /// Lines over the floor, so that they do not fight with it for the same depth, metres.
@@ -77,6 +79,7 @@ pub fn wishes(
             is_exact: tolerance.is_none(),
             tolerance_m: tolerance.and_then(|t| t.position_m).map(|metres| metres as f32),
             label: format!("{} · f {}{}", number + 1, place.frame, miss_text(miss)),
+            is_off: !miss_text(miss).is_empty(),
             emphasis: Emphasis::None,
             pick: name(picks, false),
             pick_tip: name(picks, true),
@@ -95,6 +98,7 @@ pub fn wishes(
                     position_m: at_m,
                     floor_m: 0.0,
                     label: format!("{joint} · f {frame} · {:.2} m{}", at_m.y, miss_text(miss)),
+                    is_off: !miss_text(miss).is_empty(),
                     emphasis: Emphasis::None,
                     pick: picks.name(PickTarget::JointTarget { character, constraint: nth }),
                 });
@@ -144,11 +148,18 @@ fn miss_of<'a>(reality: Reality<'a>, id: &str) -> Option<&'a ConstraintReport> {
 }
 
 /// How far off something is, in words behind a label; nothing where nobody could see it.
-fn miss_text(miss: Option<&ConstraintReport>) -> String {
+pub(super) fn miss_text(miss: Option<&ConstraintReport>) -> String {
     let Some(miss) = miss else { return String::new() };
+    let metres = miss.position_error_m.filter(|metres| *metres >= SHOWN_MISS_M);
+    let degrees = miss.heading_error_deg.map(f64::abs).filter(|deg| *deg >= SHOWN_MISS_DEG);
+    let parts = [
+        metres.map(|metres| format!("{:.0} cm", 100.0 * metres)),
+        degrees.map(|degrees| format!("{degrees:.0}°")),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
     let mut text = String::new();
-    if let Some(metres) = miss.position_error_m.filter(|metres| *metres >= SHOWN_MISS_M) {
-        text += &format!(" · miss {:.0} cm", 100.0 * metres);
+    if !parts.is_empty() {
+        text += &format!(" · miss {}", parts.join(", "));
     }
     match miss.frame_error.unwrap_or_default() {
         0 => {}
@@ -220,6 +231,7 @@ mod tests {
         let miss = ConstraintReport {
             constraint: "b".into(),
             position_error_m: Some(0.041),
+            heading_error_deg: Some(-3.2),
             frame_error: Some(-3),
             ..ConstraintReport::default()
         };
@@ -227,7 +239,8 @@ mod tests {
         let reality = Reality { root_path_m: &path, misses: &[miss] };
         let mut picks = Picks::default();
         let found = wishes(&constraints(BODIES), 2, Some(reality), Theme::Dark, &mut picks);
-        assert_eq!(found.checkpoints[1].label, "2 · f 80 · miss 4 cm · 3 f early");
+        assert_eq!(found.checkpoints[1].label, "2 · f 80 · miss 4 cm, 3° · 3 f early");
+        assert!(found.checkpoints[1].is_off && !found.checkpoints[0].is_off);
         assert_eq!(found.lines.len(), 2, "the first is missed as well, by three metres");
         let tip = found.checkpoints[1].pick_tip.and_then(|id| picks.target(id));
         assert_eq!(tip, Some(PickTarget::CheckpointTip { character: 2, constraint: 0 }));

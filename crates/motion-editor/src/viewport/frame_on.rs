@@ -1,0 +1,67 @@
+//! How much room things take, so that the camera can bring them into view.
+
+use glam::Vec3;
+use motion_scene::bounds::Bounds;
+use motion_session::selection::Selectable;
+use motion_session::stage::Stage;
+use motion_session::stage::pick::PickTarget;
+
+use super::gesture::box_select::place_m;
+use crate::mark::Mark;
+use crate::state::EditorState;
+
+/// A mark with what stands around it, metres.
+const AROUND_M: f32 = 0.9;
+
+/// Room for the whole motion and its marks.
+pub fn whole_motion(stage: &Stage, marks: &[Mark]) -> Option<Bounds> {
+    const N_MOMENTS: usize = 24;
+    let last = stage.n_frames().saturating_sub(1) as f64;
+    let moments = (0..=N_MOMENTS).map(|i| last * i as f64 / N_MOMENTS as f64);
+    let bodies =
+        moments.flat_map(|frame| stage.actors.iter().filter_map(move |a| a.bounds_at(frame)));
+    let marks = marks.iter().filter_map(Mark::body).map(|(at_m, _)| {
+        Bounds::of_point(Vec3::new(at_m[0] as f32, 0.0, at_m[1] as f32)).grown(0.4)
+    });
+    bodies.chain(marks).reduce(Bounds::union)
+}
+
+/// Room for what is selected; nothing where nothing with a place is.
+pub fn selection(state: &EditorState) -> Option<Bounds> {
+    let document = state.session.document();
+    let items = state.session.selection().items(document);
+    items.filter_map(|item| room_of(item, state)).reduce(Bounds::union)
+}
+
+/// Room for a thing that is pointed at.
+pub fn target(target: PickTarget, state: &EditorState) -> Option<Bounds> {
+    match target {
+        PickTarget::Actor { actor } => state.stage.actors.get(actor)?.bounds_at(state.frame()),
+        PickTarget::Ghost { actor, frame } => {
+            state.stage.actors.get(actor)?.bounds_at(frame as f64)
+        }
+        other => room_of(&state.selectable_of(other)?, state),
+    }
+}
+
+fn room_of(item: &Selectable, state: &EditorState) -> Option<Bounds> {
+    match item {
+        Selectable::Constraint(at) => {
+            let at_m = place_m(&state.session.document().constraint(at)?.kind)?;
+            let room = Bounds::of_point(at_m).grown(AROUND_M);
+            // The floor below it, and nothing under that.
+            Some(Bounds { min_m: room.min_m.with_y(0.0), ..room })
+        }
+        Selectable::Character(character) | Selectable::Take(character, _) => {
+            state.stage.actors.get(character.0)?.bounds_at(state.frame())
+        }
+        Selectable::Obstacle(obstacle) => {
+            let scene = state.stage.scene_at(0.0, Default::default()).scene;
+            let solid = scene.solids.get(obstacle.0)?;
+            let unit = Bounds { min_m: Vec3::splat(-0.5), max_m: Vec3::splat(0.5) };
+            let corners =
+                unit.corners().map(|corner| solid.world_from_solid.transform_point3(corner));
+            Bounds::of_points(&corners)
+        }
+    }
+}

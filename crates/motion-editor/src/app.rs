@@ -22,7 +22,8 @@ pub struct EditorApp {
     pub state: EditorState,
     /// The view.
     pub viewport: ViewportPanel,
-    timeline: TimelinePanel,
+    /// The timeline.
+    pub timeline: TimelinePanel,
     library: LibraryPanel,
     palette: CommandPalette,
     sheet_is_open: bool,
@@ -56,15 +57,15 @@ impl EditorApp {
             self.sheet_is_open = false;
         }
         let mut commands = self.state.take_commands();
+        commands.extend(self.timeline.pressed(ctx));
         commands.extend(pressed(ctx));
         for command in commands {
-            if self.state.run(command) {
+            if self.state.run(command) || self.timeline.run(command, &self.state) {
                 continue;
             }
             match command {
                 UiCommand::Palette => self.palette.toggle(),
                 UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
-                UiCommand::FitTimeline => self.timeline.fit(),
                 UiCommand::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
                 other => self.viewport.run(other),
             }
@@ -101,7 +102,7 @@ impl EditorApp {
         if state.settings.timeline_open {
             Panel::bottom("timeline")
                 .resizable(true)
-                .default_size(216.0)
+                .default_size(256.0)
                 .size_range(150.0..=480.0)
                 .frame(Frame::new().fill(p.panel))
                 .show(ui, |ui| self.timeline.ui(ui, state));

@@ -2,6 +2,8 @@
 
 use motion_scene::color::Theme;
 
+use crate::timeline::time_unit::TimeUnit;
+
 /// Which mouse buttons move the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Navigation {
@@ -55,6 +57,10 @@ pub struct Settings {
     pub right_open: bool,
     /// The timeline is open.
     pub timeline_open: bool,
+    /// The curves at the bottom of the timeline are open.
+    pub curves_open: bool,
+    /// How moments are written.
+    pub time_unit: TimeUnit,
 }
 
 impl Default for Settings {
@@ -70,6 +76,8 @@ impl Default for Settings {
             left_open: true,
             right_open: true,
             timeline_open: true,
+            curves_open: false,
+            time_unit: TimeUnit::Frames,
         }
     }
 }

@@ -7,6 +7,7 @@ mod edit;
 mod playing;
 mod run;
 mod showing;
+mod timing;
 
 pub use playing::SPEEDS;
 
@@ -65,6 +66,8 @@ pub struct EditorState {
     pub stage: Stage,
     /// What the pointer is over, in the view or on the timeline.
     pub hovered: Option<PickTarget>,
+    /// A drag is under way that changes nothing of the document; who ends it sets this to `false`.
+    pub is_dragging_beside: bool,
     /// Whether cards stay in their places because the pointer is over them.
     pub cards_are_held: bool,
     /// What was asked for since the last frame.
@@ -98,6 +101,7 @@ impl EditorState {
             clips: Vec::new(),
             stage,
             hovered: None,
+            is_dragging_beside: false,
             cards_are_held: false,
             commands: Vec::new(),
             wake: ctx.clone(),
@@ -197,6 +201,21 @@ impl EditorState {
             PickTarget::Obstacle { obstacle } => {
                 Some(Selectable::Obstacle(motion_session::document::ObstacleIdx(obstacle)))
             }
+        }
+    }
+
+    /// What a constraint is in the view, where it can be pointed at there.
+    pub fn pick_target_of(
+        &self,
+        at: &motion_session::document::ConstraintRef,
+    ) -> Option<PickTarget> {
+        use motion_session::ConstraintKind as K;
+        let mark = self.marks.iter().find(|mark| mark.at == *at)?;
+        let (character, constraint) = (at.character.0, mark.index);
+        match mark.constraint.kind {
+            K::Body { .. } => Some(PickTarget::Checkpoint { character, constraint }),
+            K::Joint { .. } => Some(PickTarget::JointTarget { character, constraint }),
+            K::Pose { .. } | K::Style { .. } | K::Path { .. } | K::Lock { .. } => None,
         }
     }
 

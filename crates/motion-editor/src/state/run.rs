@@ -1,6 +1,7 @@
 //! What commands do.
 
 use motion_scene::color::Theme;
+use motion_session::document::CharacterIdx;
 
 use super::EditorState;
 use crate::settings::{Navigation, Tool};
@@ -38,7 +39,13 @@ impl EditorState {
             }
             C::ToStart => self.seek(f64::from(self.session.playback().range().from)),
             C::ToEnd => self.jump(Some(self.session.playback().range().to as usize)),
+            C::PlayBackwards => self.play_back(),
+            C::PlayAhead => self.play(),
+            C::Stop => self.stop(),
             C::Loop => self.toggle_loop(),
+            C::LoopIn => self.loop_from(now as u32),
+            C::LoopOut => self.loop_to(now as u32),
+            C::ClearLoop => self.set_range(None),
             C::Slower => self.change_speed(false),
             C::Faster => self.change_speed(true),
             C::NormalSpeed => self.set_speed(1.0),
@@ -82,6 +89,15 @@ impl EditorState {
                 self.refresh();
             }
             C::Delete => self.delete_selected(),
+            C::Duplicate => self.duplicate_selected(),
+            C::SelectAll => self.select_all(),
+            C::SelectNone => self.session.selection_mut().clear(),
+            C::RetimeBack => self.retime_selected(-1),
+            C::RetimeAhead => self.retime_selected(1),
+            C::NextCharacter => {
+                let n = self.session.document().characters().len();
+                self.activate(CharacterIdx((self.session.active().0 + 1) % n.max(1)));
+            }
             C::SelectTool => {
                 let cancelled = self.cancel();
                 if !cancelled && self.settings.tool == Tool::Select {
@@ -105,6 +121,8 @@ impl EditorState {
             C::LeftPanel => flip(&mut settings.left_open),
             C::RightPanel => flip(&mut settings.right_open),
             C::Timeline => flip(&mut settings.timeline_open),
+            C::Curves => flip(&mut settings.curves_open),
+            C::TimeUnit => settings.time_unit = settings.time_unit.next(),
             C::Theme => {
                 settings.theme = match settings.theme {
                     Theme::Dark => Theme::Light,

@@ -20,6 +20,10 @@ const fn ctrl_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::CTRL.plus(Modifiers::SHIFT), key)
 }
 
+const fn ctrl_alt(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::CTRL.plus(Modifiers::ALT), key)
+}
+
 const fn alt(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::ALT, key)
 }
@@ -47,10 +51,23 @@ impl UiCommand {
             Self::Undo => vec![ctrl(Key::Z)],
             Self::Redo => vec![ctrl_shift(Key::Z), ctrl(Key::Y)],
             Self::Delete => vec![bare(Key::Delete), bare(Key::X)],
+            Self::Duplicate => vec![shift(Key::D)],
+            Self::SelectAll => vec![ctrl(Key::A)],
+            Self::SelectNone => vec![alt(Key::A)],
+            // Some desktops keep Ctrl+Alt+arrows for themselves.
+            Self::RetimeBack => vec![ctrl_alt(Key::ArrowLeft), ctrl_shift(Key::ArrowLeft)],
+            Self::RetimeAhead => vec![ctrl_alt(Key::ArrowRight), ctrl_shift(Key::ArrowRight)],
             Self::SelectTool => vec![bare(Key::Q), bare(Key::Escape)],
             Self::CheckpointTool => vec![bare(Key::C)],
 
             Self::PlayPause => vec![bare(Key::Space)],
+            Self::PlayBackwards => vec![bare(Key::J)],
+            Self::Stop => vec![bare(Key::K)],
+            Self::PlayAhead => vec![bare(Key::L)],
+            Self::LoopIn => vec![bare(Key::OpenBracket)],
+            Self::LoopOut => vec![bare(Key::CloseBracket)],
+            // With Shift a backslash is a bar on many keyboards.
+            Self::ClearLoop => vec![shift(Key::Backslash), shift(Key::Pipe)],
             Self::Loop => vec![shift(Key::L)],
             Self::Slower => vec![bare(Key::Minus)],
             Self::NormalSpeed => vec![bare(Key::Backslash)],
@@ -62,7 +79,7 @@ impl UiCommand {
             Self::PreviousStop => vec![bare(Key::ArrowUp)],
             Self::NextStop => vec![bare(Key::ArrowDown)],
             Self::ToStart => vec![ctrl(Key::ArrowLeft)],
-            Self::ToEnd => vec![ctrl(Key::ArrowRight)],
+            Self::ToEnd => vec![ctrl(Key::ArrowRight), bare(Key::End)],
 
             Self::FrameAll => vec![bare(Key::F), bare(Key::Home), bare(Key::Period)],
             Self::ViewFront => vec![alt(Key::Num1)],
@@ -77,6 +94,11 @@ impl UiCommand {
             Self::RightPanel => Vec::new(),
             Self::Timeline => Vec::new(),
             Self::FitTimeline => vec![shift(Key::F)],
+            Self::TimelineNearer => vec![alt(Key::Equals)],
+            Self::TimelineFarther => vec![alt(Key::Minus)],
+            Self::Curves => vec![shift(Key::E)],
+            Self::TimeUnit => vec![shift(Key::T)],
+            Self::NextCharacter => vec![ctrl(Key::Tab)],
             Self::Theme => Vec::new(),
             Self::Navigation => Vec::new(),
 

@@ -4,4 +4,6 @@
 mod author;
 mod device_loss;
 mod look;
+mod timeline;
+mod timeline_cost;
 mod window;

@@ -32,7 +32,8 @@ pub struct EditorApp {
     pub state: EditorState,
     /// The view.
     pub viewport: ViewportPanel,
-    timeline: TimelinePanel,
+    /// The timeline.
+    pub timeline: TimelinePanel,
     library: LibraryPanel,
     palette: CommandPalette,
     sheet_is_open: bool,
@@ -87,10 +88,11 @@ impl EditorApp {
         let mut commands = self.state.take_commands();
         // What asks is answered first.
         if !self.files.is_asking() && !self.export.is_open() {
+            commands.extend(self.timeline.pressed(ctx));
             commands.extend(pressed(ctx));
         }
         for command in commands {
-            if self.state.run(command) {
+            if self.state.run(command) || self.timeline.run(command, &self.state) {
                 continue;
             }
             match command {
@@ -105,7 +107,6 @@ impl EditorApp {
                     ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(!is_full));
                 }
                 UiCommand::Guide => self.guide.toggle(),
-                UiCommand::FitTimeline => self.timeline.fit(),
                 UiCommand::NextPanel | UiCommand::PreviousPanel => {
                     let ahead = command == UiCommand::NextPanel;
                     focus::step(ctx, |panel| is_panel_open(panel, &self.state.settings), ahead);
@@ -163,7 +164,7 @@ impl EditorApp {
             .frame(bar)
             .show(ui, |ui| status::status_ui(ui, state, self.viewport.adapter_name()));
         if state.settings.timeline.open {
-            let size = state.settings.timeline.size_pt.unwrap_or(216.0);
+            let size = state.settings.timeline.size_pt.unwrap_or(256.0);
             let shown = Panel::bottom("timeline")
                 .resizable(true)
                 .default_size(size)

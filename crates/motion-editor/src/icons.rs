@@ -12,6 +12,12 @@ pub const TO_END: &str = "\u{e160}";
 pub const STEP_BACK: &str = "\u{e3e9}";
 /// One frame ahead.
 pub const STEP_AHEAD: &str = "\u{e3ea}";
+/// What is held fast.
+pub const LOCK: &str = "\u{e10b}";
+/// Opened, with more below.
+pub const OPEN: &str = "\u{e06d}";
+/// Closed, with more to be had.
+pub const CLOSED: &str = "\u{e06f}";
 /// Plays over and over.
 pub const LOOP: &str = "\u{e146}";
 /// Looks for something.

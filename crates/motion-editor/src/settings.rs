@@ -7,6 +7,8 @@ use motion_session::preferences::{NavigationScheme, PanelLayout, Preferences};
 
 pub use motion_session::preferences::NavigationScheme as Navigation;
 
+use crate::timeline::time_unit::TimeUnit;
+
 /// What a press in the view does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Tool {
@@ -83,6 +85,10 @@ pub struct Settings {
     pub right: PanelLayout,
     /// The timeline.
     pub timeline: PanelLayout,
+    /// The curves at the bottom of the timeline are open.
+    pub curves_open: bool,
+    /// How moments are written.
+    pub time_unit: TimeUnit,
     /// Nothing moves that does not have to.
     pub reduced_motion: bool,
     /// Whether the welcome was seen and sent away.
@@ -95,6 +101,7 @@ pub struct Settings {
 
 const LEFT: &str = "library";
 const RIGHT: &str = "takes";
+const CURVES: &str = "curves";
 const TIMELINE: &str = "timeline";
 const TRAIL: &str = "trail";
 const JOINT_TRAILS: &str = "joint trails";
@@ -118,6 +125,11 @@ impl Settings {
             left: p.panel(LEFT),
             right: p.panel(RIGHT),
             timeline: p.panel(TIMELINE),
+            curves_open: p.shows(CURVES, false),
+            time_unit: TimeUnit::ALL
+                .into_iter()
+                .find(|unit| p.shows(unit.key(), false))
+                .unwrap_or_default(),
             reduced_motion: p.reduced_motion,
             welcome_seen: p.welcome_seen,
             own_file_dialog: p.own_file_dialog,
@@ -140,6 +152,10 @@ impl Settings {
         p.set_panel(LEFT, self.left);
         p.set_panel(RIGHT, self.right);
         p.set_panel(TIMELINE, self.timeline);
+        p.show.insert(CURVES.to_owned(), self.curves_open);
+        for unit in TimeUnit::ALL {
+            p.show.insert(unit.key().to_owned(), self.time_unit == unit);
+        }
         p.reduced_motion = self.reduced_motion;
         p.welcome_seen = self.welcome_seen;
         p.own_file_dialog = self.own_file_dialog;
@@ -177,6 +193,8 @@ mod tests {
             ghosts: GhostMode::Fan,
             joint_trails: true,
             left: PanelLayout { open: false, size_pt: Some(300.0) },
+            curves_open: true,
+            time_unit: TimeUnit::Timecode,
             reduced_motion: true,
             welcome_seen: true,
             own_file_dialog: true,

@@ -42,7 +42,8 @@ fn contents_ui(ui: &mut Ui) {
     ui.add_space(2.0 * theme::GRID);
     let mouse = "In the view: drag orbits, Shift+drag pans, the wheel zooms at the pointer, a click on \
                  an axis looks along it. On the timeline: drag on the ruler scrubs (Alt does not \
-                 snap), the wheel zooms, the middle button pans, a double click shows all.";
+                 snap), a mark's drag retimes it (Shift takes what comes later along), Ctrl+wheel zooms, \
+                 the middle button pans, a double click shows all.";
     ui.label(RichText::new(mouse).color(theme::of(ui).faint));
 }
 

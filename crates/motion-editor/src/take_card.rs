@@ -10,6 +10,9 @@ use motion_session::live::{Made, Take};
 use motion_session::stage::actor::Actor;
 use motion_session::{AlternativeReport, ConstraintReport, SeamReport, Session};
 
+use crate::timeline::curves::{root_speeds_m_s, root_turns_deg_s};
+use crate::timeline::foot_faults::foot_faults;
+
 /// Takes have one of so many hues.
 pub const N_HUES: usize = 8;
 
@@ -54,6 +57,12 @@ pub struct Lane {
     pub raw_misses: Vec<ConstraintReport>,
     /// When the left foot is planted, and when the right one is.
     pub plants: [Vec<Range<usize>>; 2],
+    /// When each foot slides or sinks though it is planted.
+    pub foot_faults: [Vec<Range<usize>>; 2],
+    /// Speed of the root over the ground at every frame, metres per second.
+    pub speed_m_s: Vec<f32>,
+    /// How fast the root turns to the left at every frame, degrees per second.
+    pub turn_deg_s: Vec<f32>,
     /// Mean speed of planted feet, cm/s.
     pub foot_slide_cm_per_s: Option<f64>,
 }
@@ -175,22 +184,33 @@ fn lane_of(made: &Made, actor: &Actor) -> Lane {
         cost: seam.cost,
         is_bridge: seam.bridge,
     };
+    let (plants, foot_faults) = feet_of(actor);
     Lane {
         pieces,
         cuts: report.seams.iter().map(cut).collect(),
         misses: report.final_.clone(),
         raw_misses: report.raw.clone(),
-        plants: plants_of(actor),
+        plants,
+        foot_faults,
+        speed_m_s: root_speeds_m_s(&actor.motion),
+        turn_deg_s: root_turns_deg_s(&actor.motion),
         foot_slide_cm_per_s: report.quality.as_ref().and_then(|q| q.foot_slide_cm_per_s),
     }
 }
 
-/// When each foot is planted.
-fn plants_of(actor: &Actor) -> [Vec<Range<usize>>; 2] {
-    Side::BOTH.map(|side| {
-        let Some(toe) = contacts::toe_joint(&actor.skeleton, side) else { return Vec::new() };
+/// When each foot is planted, and when it slides or sinks meanwhile.
+fn feet_of(actor: &Actor) -> ([Vec<Range<usize>>; 2], [Vec<Range<usize>>; 2]) {
+    let fps = actor.motion.fps();
+    let feet = Side::BOTH.map(|side| {
+        let Some(toe) = contacts::toe_joint(&actor.skeleton, side) else {
+            return Default::default();
+        };
         let path_m = actor.motion.joint_path_m(&actor.skeleton, toe);
-        let planted = contacts::planted_on_lowest(&path_m, actor.motion.fps());
-        contacts::runs(planted.len(), |frame| planted[frame])
-    })
+        let planted = contacts::planted_on_lowest(&path_m, fps);
+        let plants = contacts::runs(planted.len(), |frame| planted[frame]);
+        let faults = foot_faults(&path_m, fps, &plants);
+        (plants, faults)
+    });
+    let [(left, left_faults), (right, right_faults)] = feet;
+    ([left, right], [left_faults, right_faults])
 }

@@ -16,6 +16,18 @@
 //! | 12 | 28 | 10 | 20, paused |
 //! | 3 | 2 | 5 | 5 |
 //! | 25 | 1 | 10 | 20, paused |
+//!
+//! Backwards it is the same seen in a mirror: what is before `from` is before `to` by as much, and
+//! [`AtEnd::Hold`] stays at `from`.
+//!
+//! | place | minus frames | loop | hold |
+//! | --- | --- | --- | --- |
+//! | 18 | 3 | 15 | 15 |
+//! | 18 | 8 | 20 | 10, paused |
+//! | 18 | 9.5 | 18.5 | 10, paused |
+//! | 18 | 28 | 20 | 10, paused |
+//! | 27 | 2 | 25 | 25 |
+//! | 5 | 1 | 20 | 10, paused |
 
 use motion_core::units::Fps;
 
@@ -34,6 +46,16 @@ pub enum PlayState {
     Playing,
     /// It stands somewhere.
     Paused,
+}
+
+/// Which way time goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Direction {
+    /// On.
+    #[default]
+    Ahead,
+    /// Back.
+    Back,
 }
 
 /// What happens at the end of the range.
@@ -60,9 +82,11 @@ pub struct PlayRange {
 pub enum PlaybackCommand {
     /// Go on; from the beginning of the range where its end is reached.
     Play,
+    /// Go back; from the end of the range where its beginning is reached.
+    PlayBack,
     /// Stand still.
     Pause,
-    /// Play, or pause.
+    /// Play ahead, or pause.
     Toggle,
     /// Stand still at the beginning of the range.
     Stop,
@@ -88,6 +112,7 @@ pub enum PlaybackCommand {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Playback {
     state: PlayState,
+    direction: Direction,
     frame: f64,
     speed: f64,
     range: Option<PlayRange>,
@@ -99,13 +124,26 @@ pub struct Playback {
 impl Playback {
     /// Stopped at the beginning of a motion of `n_frames`.
     pub fn new(n_frames: u32, fps: Fps) -> Self {
-        let (state, range, at_end) = (PlayState::default(), None, AtEnd::default());
-        Self { state, frame: 0.0, speed: 1.0, range, at_end, n_frames: n_frames.max(1), fps }
+        Self {
+            state: PlayState::default(),
+            direction: Direction::default(),
+            frame: 0.0,
+            speed: 1.0,
+            range: None,
+            at_end: AtEnd::default(),
+            n_frames: n_frames.max(1),
+            fps,
+        }
     }
 
     /// Whether time goes on.
     pub fn state(&self) -> PlayState {
         self.state
+    }
+
+    /// Which way it plays, or played last.
+    pub fn direction(&self) -> Direction {
+        self.direction
     }
 
     /// The place, in frames.
@@ -165,7 +203,13 @@ impl Playback {
                 if self.state != PlayState::Playing && self.frame >= to {
                     self.frame = from;
                 }
-                self.state = PlayState::Playing;
+                (self.state, self.direction) = (PlayState::Playing, Direction::Ahead);
+            }
+            PlaybackCommand::PlayBack => {
+                if self.state != PlayState::Playing && self.frame <= from {
+                    self.frame = to;
+                }
+                (self.state, self.direction) = (PlayState::Playing, Direction::Back);
             }
             PlaybackCommand::Pause => self.pause(),
             PlaybackCommand::Toggle if self.state == PlayState::Playing => self.pause(),
@@ -206,8 +250,21 @@ impl Playback {
         let before = self.frame;
         let PlayRange { from, to } = self.range();
         let (from, to) = (f64::from(from), f64::from(to));
-        let place = self.frame + secs * self.fps.get() * self.speed;
-        self.frame = if place < to {
+        let way = secs * self.fps.get() * self.speed;
+        self.frame = match self.direction {
+            Direction::Ahead => self.after(self.frame + way, from, to),
+            // The mirror image of a range from −to to −from. `0.0 -` makes no −0 of 0.
+            Direction::Back => {
+                self.frame = -self.frame;
+                0.0 - self.after(self.frame + way, -to, -from)
+            }
+        };
+        self.frame != before
+    }
+
+    /// The place after it has moved from the present one up to `place`, within a range.
+    fn after(&mut self, place: f64, from: f64, to: f64) -> f64 {
+        if place < to {
             place
         } else if self.at_end == AtEnd::Hold {
             self.state = PlayState::Paused;
@@ -217,8 +274,7 @@ impl Playback {
             from
         } else {
             from + (place - from) % (to - from)
-        };
-        self.frame != before
+        }
     }
 
     fn pause(&mut self) {
@@ -281,6 +337,45 @@ mod tests {
             playback.advance(secs);
             assert_eq!((playback.frame(), playback.state()), held, "{at} plus {secs}, held");
         }
+    }
+
+    #[test]
+    fn the_table_of_edges_backwards() {
+        for (at, secs, looped, held) in [
+            (18.0, 3.0, 15.0, (15.0, PlayState::Playing)),
+            (18.0, 8.0, 20.0, (10.0, PlayState::Paused)),
+            (18.0, 9.5, 18.5, (10.0, PlayState::Paused)),
+            (18.0, 28.0, 20.0, (10.0, PlayState::Paused)),
+            (27.0, 2.0, 25.0, (25.0, PlayState::Playing)),
+            (5.0, 1.0, 20.0, (10.0, PlayState::Paused)),
+            (18.0, 0.0, 18.0, (18.0, PlayState::Playing)),
+            (18.0, f64::NAN, 18.0, (18.0, PlayState::Playing)),
+            (18.0, f64::INFINITY, 20.0, (10.0, PlayState::Paused)),
+        ] {
+            for (at_end, expected) in
+                [(AtEnd::Loop, (looped, PlayState::Playing)), (AtEnd::Hold, held)]
+            {
+                let mut playback = playing(40, at, Some((10, 20)), at_end);
+                playback.apply(PlaybackCommand::PlayBack);
+                playback.advance(secs);
+                assert_eq!((playback.frame(), playback.state()), expected, "{at} minus {secs}");
+            }
+        }
+    }
+
+    #[test]
+    fn from_the_beginning_it_goes_back_from_the_end() {
+        let mut playback = Playback::new(10, Fps::new(1.0).unwrap());
+        playback.apply(PlaybackCommand::PlayBack);
+        assert_eq!((playback.frame(), playback.direction()), (9.0, Direction::Back));
+        playback.advance(2.0);
+        assert_eq!(playback.frame(), 7.0);
+        playback.apply(PlaybackCommand::Play);
+        playback.advance(1.0);
+        assert_eq!((playback.frame(), playback.direction()), (8.0, Direction::Ahead));
+        playback.apply(PlaybackCommand::PlayBack);
+        playback.advance(8.0);
+        assert_eq!(playback.frame().to_bits(), 9f64.to_bits(), "0 is the end, as ahead");
     }
 
     #[test]
@@ -356,9 +451,13 @@ mod tests {
         fn the_place_is_always_within_the_motion(
             n_frames in 0u32..50, at in -10f64..80.0, range in prop::option::of((0u32..60, 0u32..60)),
             steps in prop::collection::vec(-1f64..20.0, 0..8), shorter in 0u32..50, hold: bool,
+            back: bool,
         ) {
             let at_end = if hold { AtEnd::Hold } else { AtEnd::Loop };
             let mut playback = playing(n_frames, at, range, at_end);
+            if back {
+                playback.apply(PlaybackCommand::PlayBack);
+            }
             for (nth, secs) in steps.into_iter().enumerate() {
                 if nth == 3 {
                     playback.set_motion(shorter, Fps::THIRTY);

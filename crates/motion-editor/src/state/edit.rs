@@ -42,7 +42,8 @@ impl EditorState {
 
     /// Ends the gesture as if it had not been; gives whether there was one.
     pub fn cancel(&mut self) -> bool {
-        let was_in_gesture = self.is_in_gesture();
+        let beside = std::mem::take(&mut self.is_dragging_beside);
+        let was_in_gesture = self.is_in_gesture() || beside;
         self.session.cancel();
         self.refresh();
         was_in_gesture

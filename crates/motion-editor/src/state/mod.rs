@@ -10,6 +10,7 @@ mod playing;
 mod preview;
 mod run;
 mod showing;
+mod timing;
 
 pub use playing::SPEEDS;
 pub use preview::ClipPreview;
@@ -90,6 +91,8 @@ pub struct EditorState {
     pub n_exports: usize,
     /// What the pose tool places: a clip and a frame of it.
     pub pose_clip: Option<(String, u32)>,
+    /// A drag is under way that changes nothing of the document; who ends it sets this to `false`.
+    pub is_dragging_beside: bool,
     /// Whether cards stay in their places because the pointer is over them.
     pub cards_are_held: bool,
     /// What was asked for since the last frame.
@@ -142,6 +145,7 @@ impl EditorState {
             n_exports: 0,
             pose_clip: None,
             merging: None,
+            is_dragging_beside: false,
             cards_are_held: false,
             commands: Vec::new(),
             wake: ctx.clone(),
@@ -280,6 +284,21 @@ impl EditorState {
             PickTarget::Obstacle { obstacle } => {
                 Some(Selectable::Obstacle(motion_session::document::ObstacleIdx(obstacle)))
             }
+        }
+    }
+
+    /// What a constraint is in the view, where it can be pointed at there.
+    pub fn pick_target_of(
+        &self,
+        at: &motion_session::document::ConstraintRef,
+    ) -> Option<PickTarget> {
+        use motion_session::ConstraintKind as K;
+        let mark = self.marks.iter().find(|mark| mark.at == *at)?;
+        let (character, constraint) = (at.character.0, mark.index);
+        match mark.constraint.kind {
+            K::Body { .. } => Some(PickTarget::Checkpoint { character, constraint }),
+            K::Joint { .. } => Some(PickTarget::JointTarget { character, constraint }),
+            K::Pose { .. } | K::Style { .. } | K::Path { .. } | K::Lock { .. } => None,
         }
     }
 

@@ -88,13 +88,6 @@ impl EditorState {
         }
     }
 
-    /// Selects every constraint of the active character.
-    pub fn select_all(&mut self) {
-        let all: Vec<Selectable> =
-            self.marks.iter().map(|mark| Selectable::Constraint(mark.at.clone())).collect();
-        self.session.selection_mut().select_all(all);
-    }
-
     /// Selects the active character's constraint that was made last.
     pub fn select_newest(&mut self) {
         let character = self.session.active();

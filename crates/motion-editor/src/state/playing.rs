@@ -1,6 +1,6 @@
 //! The playhead.
 
-use motion_session::playback::{AtEnd, PlayState, PlaybackCommand};
+use motion_session::playback::{AtEnd, PlayRange, PlayState, PlaybackCommand};
 
 use super::EditorState;
 
@@ -58,6 +58,16 @@ impl EditorState {
         self.session.play(PlaybackCommand::Play);
     }
 
+    /// Lets time go back.
+    pub fn play_back(&mut self) {
+        self.session.play(PlaybackCommand::PlayBack);
+    }
+
+    /// Pauses at a whole frame.
+    pub fn stop(&mut self) {
+        self.stop_at(self.frame_number());
+    }
+
     /// Plays, or pauses at a whole frame. At the end it plays from the start.
     pub fn toggle_playing(&mut self) {
         self.session.play(PlaybackCommand::Toggle);
@@ -86,6 +96,29 @@ impl EditorState {
     pub fn toggle_loop(&mut self) {
         let at_end = if self.is_looping() { AtEnd::Hold } else { AtEnd::Loop };
         self.session.play(PlaybackCommand::SetAtEnd(at_end));
+    }
+
+    /// The part that the user has chosen to be played.
+    pub fn chosen_range(&self) -> Option<PlayRange> {
+        self.session.playback().chosen_range()
+    }
+
+    /// Plays this part, or with `None` all.
+    pub fn set_range(&mut self, range: Option<PlayRange>) {
+        self.session.play(PlaybackCommand::SetRange(range));
+    }
+
+    /// What is played begins at a frame; it ends where it did unless that is before.
+    pub fn loop_from(&mut self, from: u32) {
+        let last = self.last_frame() as u32;
+        let to = self.chosen_range().map_or(last, |range| range.to);
+        self.set_range(Some(PlayRange { from, to: if to > from { to } else { last } }));
+    }
+
+    /// What is played ends at a frame; it begins where it did unless that is after.
+    pub fn loop_to(&mut self, to: u32) {
+        let from = self.chosen_range().map_or(0, |range| range.from);
+        self.set_range(Some(PlayRange { from: if from < to { from } else { 0 }, to }));
     }
 
     /// Times real time.

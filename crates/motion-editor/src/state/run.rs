@@ -1,6 +1,7 @@
 //! What commands do.
 
 use motion_scene::color::Theme;
+use motion_session::document::CharacterIdx;
 
 use super::EditorState;
 use crate::settings::{Navigation, Tool};
@@ -41,7 +42,13 @@ impl EditorState {
             }
             C::ToStart => self.seek(f64::from(self.session.playback().range().from)),
             C::ToEnd => self.jump(Some(self.session.playback().range().to as usize)),
+            C::PlayBackwards => self.play_back(),
+            C::PlayAhead => self.play(),
+            C::Stop => self.stop(),
             C::Loop => self.toggle_loop(),
+            C::LoopIn => self.loop_from(now as u32),
+            C::LoopOut => self.loop_to(now as u32),
+            C::ClearLoop => self.set_range(None),
             C::Slower => self.change_speed(false),
             C::Faster => self.change_speed(true),
             C::NormalSpeed => self.set_speed(1.0),
@@ -85,6 +92,15 @@ impl EditorState {
                 self.refresh();
             }
             C::Delete => self.delete_selected(),
+            C::Duplicate => self.duplicate_selected(),
+            C::SelectAll => self.select_all(),
+            C::SelectNone => self.session.selection_mut().clear(),
+            C::RetimeBack => self.retime_selected(-1),
+            C::RetimeAhead => self.retime_selected(1),
+            C::NextCharacter => {
+                let n = self.session.document().characters().len();
+                self.activate(CharacterIdx((self.session.active().0 + 1) % n.max(1)));
+            }
             C::SelectTool => {
                 let cancelled = self.cancel();
                 if !cancelled && self.settings.tool == Tool::Select {
@@ -96,8 +112,6 @@ impl EditorState {
             C::JointTargetTool => self.settings.tool = Tool::JointTarget,
             C::PoseTool => self.settings.tool = Tool::Pose,
             C::AddCheckpoint => self.add_checkpoint_ahead(),
-            C::SelectAll => self.select_all(),
-            C::SelectNone => self.session.selection_mut().clear(),
             C::TurnLeft => self.turn_selected(TURN_DEG),
             C::TurnRight => self.turn_selected(-TURN_DEG),
             _ => return false,
@@ -118,6 +132,8 @@ impl EditorState {
             C::LeftPanel => flip(&mut settings.left.open),
             C::RightPanel => flip(&mut settings.right.open),
             C::Timeline => flip(&mut settings.timeline.open),
+            C::Curves => flip(&mut settings.curves_open),
+            C::TimeUnit => settings.time_unit = settings.time_unit.next(),
             C::Theme => {
                 settings.theme = match settings.theme {
                     Theme::Dark => Theme::Light,

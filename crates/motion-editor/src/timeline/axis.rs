@@ -21,7 +21,7 @@ const MIN_SHARE: f64 = 0.5;
 /// What is nearer to a mark than this snaps to it, points.
 pub const SNAP_PT: f32 = 6.0;
 /// Free room beside the whole motion, points.
-const MARGIN_PT: f64 = 12.0;
+const MARGIN_PT: f64 = 20.0;
 /// Numbers on the ruler are at least so far apart, points.
 const MIN_TICK_PT: f64 = 56.0;
 
@@ -31,6 +31,11 @@ impl Axis {
         let room = (f64::from(width_pt) - 2.0 * MARGIN_PT).max(1.0);
         let pt_per_frame = (room / n_frames.max(1) as f64).min(MAX_PT_PER_FRAME);
         Self { left_pt, width_pt, first: -MARGIN_PT / pt_per_frame, pt_per_frame }
+    }
+
+    /// Whether it is as [`Axis::fit`] makes it: all of `n_frames` in view.
+    pub fn shows_all(&self, n_frames: usize) -> bool {
+        *self == Self::fit(self.left_pt, self.width_pt, n_frames)
     }
 
     /// Where a frame begins, points.

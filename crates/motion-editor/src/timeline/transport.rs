@@ -1,7 +1,8 @@
 //! Buttons over the timeline, and which frame it is.
 
-use egui::{Align, Layout, Ui};
+use egui::{Align, Layout, Role, Sense, Ui, WidgetInfo};
 
+use super::time_unit::TimeUnit;
 use crate::icons;
 use crate::state::{EditorState, SPEEDS};
 use crate::theme;
@@ -49,18 +50,32 @@ pub fn transport_ui(ui: &mut Ui, state: &mut EditorState) {
     });
 }
 
-fn clock_ui(ui: &mut Ui, state: &EditorState) {
+/// The moment; a click writes it otherwise.
+fn clock_ui(ui: &mut Ui, state: &mut EditorState) {
     let palette = theme::of(ui);
-    let now = format!("f {} ", state.frame_number());
+    let (unit, fps) = (state.settings.time_unit, state.fps());
+    let now = format!("{} ", unit.text(state.frame_number(), fps));
     let mut job = tabular(ui, &now, &theme::heading(), palette.text);
-    let rest =
-        format!("/ {}    {:.2} s    {:.0} fps", state.last_frame(), state.secs(), state.fps());
+    let beside = match unit {
+        TimeUnit::Frames => TimeUnit::Seconds,
+        TimeUnit::Seconds | TimeUnit::Timecode => TimeUnit::Frames,
+    };
+    let rest = format!(
+        "/ {}    {}    {fps:.0} fps",
+        unit.short(state.last_frame(), fps),
+        beside.text(state.frame_number(), fps),
+    );
     let rest = tabular(ui, &rest, &theme::body(), palette.faint);
     for section in rest.sections {
         let text = &rest.text[section.byte_range.start.0..section.byte_range.end.0];
         job.append(text, 0.0, section.format);
     }
-    ui.label(job);
+    let tooltip = described(ui, UiCommand::TimeUnit);
+    let response = ui.add(egui::Label::new(job).selectable(false).sense(Sense::click()));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Clock"));
+    if response.on_hover_text(tooltip).clicked() {
+        state.ask(UiCommand::TimeUnit);
+    }
 }
 
 fn speed_ui(ui: &mut Ui, state: &mut EditorState) {

@@ -27,9 +27,22 @@ impl UiCommand {
                 let document = state.session.document();
                 state.session.selection().constraints(document).next().is_some()
             }
+            Self::Duplicate | Self::RetimeBack | Self::RetimeAhead => {
+                state.selected_marks().next().is_some()
+            }
+            Self::SelectAll => !state.marks.is_empty(),
+            Self::ClearLoop => state.session.playback().chosen_range().is_some(),
+            Self::NextCharacter => state.session.document().characters().len() > 1,
             Self::ShowTake(n) => usize::from(n) <= state.cards.len(),
             Self::FlipTakes => state.shown_before.is_some(),
             Self::PlayPause
+            | Self::PlayBackwards
+            | Self::Stop
+            | Self::PlayAhead
+            | Self::LoopIn
+            | Self::LoopOut
+            | Self::TimelineNearer
+            | Self::TimelineFarther
             | Self::StepBack
             | Self::StepAhead
             | Self::SecondBack
@@ -50,6 +63,7 @@ impl UiCommand {
         let settings = &state.settings;
         Some(match self {
             Self::Loop => state.is_looping(),
+            Self::Curves => settings.curves_open,
             Self::SelectTool => settings.tool == Tool::Select,
             Self::CheckpointTool => settings.tool == Tool::Checkpoint,
             Self::Follow => settings.follow,

@@ -46,6 +46,19 @@ impl UiCommand {
             Self::Undo => ("Undo", "Takes back the last change of the project"),
             Self::Redo => ("Redo", "Does again what was taken back"),
             Self::Delete => ("Delete", "Removes what is selected"),
+            Self::Duplicate => {
+                ("Duplicate at the playhead", "Asks the same once more, from the playhead on")
+            }
+            Self::SelectAll => {
+                ("Select all constraints", "Selects all that is asked of the active character")
+            }
+            Self::SelectNone => ("Select nothing", "Selects nothing any more"),
+            Self::RetimeBack => {
+                ("Selection one frame earlier", "Brings what is selected to an earlier frame")
+            }
+            Self::RetimeAhead => {
+                ("Selection one frame later", "Brings what is selected to a later frame")
+            }
             Self::SelectTool => {
                 ("Select tool", "Select and drag what is there; drag elsewhere to orbit")
             }
@@ -75,13 +88,17 @@ impl UiCommand {
                 ("Turn", "What is selected turns with the pointer; digits say how far")
             }
             Self::BoxSelect => ("Select a box", "Drag a box around what is to be selected"),
-            Self::SelectAll => ("Select all", "Selects every constraint of the character"),
-            Self::SelectNone => ("Select nothing", "Nothing is selected any more"),
             Self::Nudge(nudge) => nudge_words(nudge),
             Self::TurnLeft => ("Turn left by 5°", "Turns what is selected"),
             Self::TurnRight => ("Turn right by 5°", "Turns what is selected"),
 
             Self::PlayPause => ("Play or pause", "Plays the shown take, or pauses it"),
+            Self::PlayBackwards => ("Play backwards", "Plays the shown take from its end"),
+            Self::Stop => ("Stop", "Pauses at a whole frame"),
+            Self::PlayAhead => ("Play", "Plays the shown take"),
+            Self::LoopIn => ("Loop from here", "What is played begins at the playhead"),
+            Self::LoopOut => ("Loop up to here", "What is played ends at the playhead"),
+            Self::ClearLoop => ("Play all", "What is played is the whole motion again"),
             Self::Loop => ("Loop", "Begins again at the end"),
             Self::Slower => ("Slower", "How fast time goes, 0.1× to 4×"),
             Self::NormalSpeed => ("Normal speed", "How fast time goes, 0.1× to 4×"),
@@ -94,7 +111,10 @@ impl UiCommand {
                 ("Previous constraint or cut", "Goes back to where something happens")
             }
             Self::NextStop => ("Next constraint or cut", "Goes on to where something happens"),
-            Self::ToStart => ("First frame", "Goes to the beginning of what is played"),
+            Self::ToStart => (
+                "First frame",
+                "Goes to the beginning of what is played; Home does too with the pointer on the timeline",
+            ),
             Self::ToEnd => ("Last frame", "Goes to the end of what is played"),
 
             Self::FrameSelection => {
@@ -148,6 +168,20 @@ impl UiCommand {
             Self::RightPanel => ("Takes panel", "Shows the panel, or hides it"),
             Self::Timeline => ("Timeline panel", "Shows the panel, or hides it"),
             Self::FitTimeline => ("Fit the timeline", "Shows all frames on the timeline"),
+            Self::TimelineNearer => {
+                ("Nearer on the timeline", "Shows fewer frames, those around the playhead")
+            }
+            Self::TimelineFarther => ("Farther on the timeline", "Shows more frames"),
+            Self::Curves => (
+                "Curves on the timeline",
+                "Misses, speed, turning and distance from drawn paths, frame by frame",
+            ),
+            Self::TimeUnit => {
+                ("Frames, seconds or timecode", "How moments are written on the timeline")
+            }
+            Self::NextCharacter => {
+                ("Next character", "Shows another character on the timeline and in the gallery")
+            }
             Self::Theme => ("Dark or light", "Changes the colours of the window"),
             Self::Navigation => (
                 "Blender or Industry navigation",

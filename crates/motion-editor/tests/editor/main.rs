@@ -6,4 +6,6 @@ mod device_loss;
 mod files;
 mod look;
 mod path_dialog;
+mod timeline;
+mod timeline_cost;
 mod window;

@@ -116,12 +116,14 @@ impl Autosaver {
     /// Waits until everything is done.
     pub(super) fn finish(&mut self) {
         let Some(thread) = self.thread.take() else { return };
-        // What still waits is more than an end: it comes first.
-        while let Some(task) = self.shared.tasks.take() {
-            self.shared.carry_out(task);
-        }
+        // What still waits is more than an end, and comes after what is being done: an autosave that
+        // is to be removed may be being written.
+        let waiting = self.shared.tasks.take();
         self.shared.tasks.put(Task::End);
         drop(thread.join());
+        if let Some(task) = waiting {
+            self.shared.carry_out(task);
+        }
     }
 }
 

@@ -172,6 +172,8 @@ fn look_at(folder: &Path, killed_secs: f64, text: &str) -> f64 {
     }
     assert!(next.recoveries().is_empty(), "nothing is left to be recovered");
     next.close();
+    // Its autosave goes on a thread that ends with it.
+    drop(next);
     let left: Vec<String> = [folder.to_owned(), folder.join("state")]
         .iter()
         .flat_map(|folder| std::fs::read_dir(folder).expect("it is there"))

@@ -6,6 +6,7 @@ pub mod feet_rows;
 pub mod ribbon;
 pub mod row;
 pub mod ruler;
+pub mod take_drop;
 pub mod transport;
 
 use egui::{PointerButton, Rect, Response, Sense, Stroke, Ui, Vec2};
@@ -60,6 +61,7 @@ impl TimelinePanel {
             row::empty_ui(ui, lanes, "Clips, checkpoints and feet of the shown take stand here");
         }
         ruler::playhead_ui(ui, lanes, &axis, state);
+        take_drop::take_drop_ui(ui, &ground, lanes, &axis, state);
         self.navigate_ui(ui, &ground, lanes, state);
     }
 

@@ -1,6 +1,7 @@
 //! The view: the shown take in three dimensions.
 
 pub mod canvas;
+pub mod compare;
 pub mod gesture;
 pub mod gizmo;
 pub mod navigation;
@@ -90,6 +91,11 @@ impl ViewportPanel {
         self.canvas.as_ref().is_some_and(Canvas::is_lost)
     }
 
+    /// What draws, for pictures beside the view.
+    pub fn canvas(&mut self) -> Option<&mut Canvas> {
+        self.canvas.as_mut()
+    }
+
     /// How many pictures were drawn so far.
     pub fn n_drawn(&self) -> u64 {
         self.canvas.as_ref().map_or(0, Canvas::n_drawn)
@@ -127,7 +133,8 @@ impl ViewportPanel {
 
     /// The whole panel.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut EditorState) {
-        let size = ui.available_size().max(Vec2::splat(1.0));
+        let whole = ui.available_size().max(Vec2::splat(1.0));
+        let size = compare::size_of_main(whole, compare::n_views(state));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, LABEL));
         self.rect = rect;
@@ -140,6 +147,10 @@ impl ViewportPanel {
         }
         self.keep_up(state);
         self.draw_ui(ui, rect, state);
+        let whole = Rect::from_min_size(rect.min, whole);
+        if let Some(canvas) = &mut self.canvas {
+            compare::others_ui(ui, whole, canvas, &mut self.camera, state);
+        }
         self.pick_ui(ui, &response, state);
         overlay::overlay_ui(ui, rect, state, self.fps);
         let corner = Pos2::new(rect.right() - GIZMO_INSET_PT, rect.top() + GIZMO_INSET_PT);

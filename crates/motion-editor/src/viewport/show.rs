@@ -6,6 +6,7 @@ use motion_session::selection::Selectable;
 use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Show, Staged};
 
+use super::compare;
 use crate::state::EditorState;
 
 /// Poses of the same motion at other times.
@@ -18,16 +19,12 @@ pub fn staged(state: &EditorState) -> Option<Staged> {
     if state.stage.actors.is_empty() {
         return None;
     }
-    let show = Show {
-        wishes: true,
-        trail: state.settings.trail,
-        ghosts: if state.settings.ghosts { N_GHOSTS } else { 0 },
-    };
-    let mut staged = state.stage.scene_at(state.frame(), show);
+    let mut staged = state.stage.scene_at(state.frame(), choices(state));
     if let Some(preview) = &state.preview {
         let color = ColorRole::Pose.color(state.settings.theme).with_alpha(PREVIEW_ALPHA);
         staged.scene.bodies.push(preview.actor.body_at(preview.frame, Look::Ghost(color)));
     }
+    compare::add_others(&mut staged.scene, state);
     // What is selected is said last, so that it shows under the pointer too.
     if let Some(hovered) = state.hovered {
         let hovered = whole(hovered);
@@ -42,6 +39,15 @@ pub fn staged(state: &EditorState) -> Option<Staged> {
     };
     mark(&mut staged, is_selected, Emphasis::Selected);
     Some(staged)
+}
+
+/// What is shown besides bodies.
+pub fn choices(state: &EditorState) -> Show {
+    Show {
+        wishes: true,
+        trail: state.settings.trail,
+        ghosts: if state.settings.ghosts { N_GHOSTS } else { 0 },
+    }
 }
 
 fn mark(staged: &mut Staged, is_meant: impl Fn(PickTarget) -> bool, emphasis: Emphasis) {

@@ -6,4 +6,5 @@ mod device_loss;
 mod files;
 mod look;
 mod path_dialog;
+mod takes;
 mod window;

@@ -166,9 +166,12 @@ mod tests {
             end: FrameIdx(to),
         };
         let graph = &ready.library.graph;
-        for (a, b, expected) in
-            [((0, 9), (0, 9), 1.0), ((0, 9), (5, 14), 0.5), ((0, 4), (0, 9), 0.5), ((0, 4), (5, 9), 0.0)]
-        {
+        for (a, b, expected) in [
+            ((0, 9), (0, 9), 1.0),
+            ((0, 9), (5, 14), 0.5),
+            ((0, 4), (0, 9), 0.5),
+            ((0, 4), (5, 9), 0.0),
+        ] {
             assert_eq!(shared(graph, &stretch(a.0, a.1), &stretch(b.0, b.1)), expected);
         }
     }

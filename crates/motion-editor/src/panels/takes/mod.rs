@@ -1,142 +1,163 @@
-//! The takes: other motions under the same constraints.
+//! The takes: other motions under the same constraints, a card each.
 
-use egui::{Align2, Pos2, Rect, Role, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo};
-use motion_scene::color::ColorRole;
+pub mod card;
+pub mod cost_bar;
+pub mod menu;
+pub mod mini;
+pub mod minis;
+pub mod rename;
+pub mod sparkline;
+pub mod way;
+
+use egui::{Align, Layout, Rect, RichText, ScrollArea, Ui};
 use motion_session::live::SearchState;
 
 use super::{empty_ui, heading_ui};
-use crate::mark::Mark;
-use crate::state::EditorState;
-use crate::take_card::{TERMS, TakeCard};
+use crate::icons;
+use crate::state::{CompareMode, EditorState};
+use crate::take_card::TakeCard;
 use crate::theme;
+use crate::ui_command::UiCommand;
+use crate::viewport::canvas::Canvas;
+use crate::viewport::described;
+use crate::widgets::icon_button::icon_button_ui;
+use card::Around;
+pub use card::CardDrag;
+use minis::Minis;
+pub use sparkline::sparkline_ui;
 
 /// A bar is full at so many times the best take's cost.
 const FULL_BAR: f64 = 4.0;
-/// A card, points.
-const CARD_PT: f32 = 64.0;
 
-/// The whole panel. A click shows a take at the same frame.
-pub fn takes_ui(ui: &mut Ui, state: &mut EditorState) {
-    let n = state.cards.len();
-    let beside = match n {
-        0 => String::new(),
-        1 => "1 found".to_owned(),
-        n => format!("{n} found, the best first"),
-    };
-    heading_ui(ui, "Takes", &beside);
-    if n == 0 {
-        match state.search_state() {
-            SearchState::Infeasible(_) | SearchState::Error(_) => {
-                empty_ui(ui, "No take meets the constraints");
+/// The gallery's own state: pictures of takes.
+#[derive(Debug, Default)]
+pub struct TakesPanel {
+    minis: Minis,
+}
+
+impl TakesPanel {
+    /// Draws at most one picture that is missing and lets go of those of takes that are gone. To be
+    /// called before anything of this frame is painted.
+    pub fn keep_up(
+        &mut self,
+        ctx: &egui::Context,
+        canvas: Option<&mut Canvas>,
+        state: &EditorState,
+    ) {
+        // While something is dragged there is a new motion many times a second.
+        if let Some(canvas) = canvas.filter(|_| !state.is_in_gesture())
+            && self.minis.keep_up(
+                &state.cards,
+                canvas,
+                state.settings.theme,
+                ctx.pixels_per_point(),
+            )
+        {
+            ctx.request_repaint();
+        }
+    }
+
+    /// How many takes have a picture.
+    pub fn n_minis(&self) -> usize {
+        self.minis.len()
+    }
+
+    /// The whole panel. A click on a card shows its take at the same frame.
+    pub fn ui(&self, ui: &mut Ui, state: &mut EditorState) {
+        head_ui(ui, state);
+        better_ui(ui, state);
+        if state.cards.is_empty() {
+            state.cards_are_held = false;
+            match state.search_state() {
+                SearchState::Infeasible(_) | SearchState::Error(_) => {
+                    empty_ui(
+                        ui,
+                        "No take meets the constraints; the Why tab says what is in the way",
+                    );
+                }
+                _ => empty_ui(ui, "The first takes stand here in a few seconds"),
             }
-            _ => empty_ui(ui, "The first takes stand here in a few seconds"),
+            return;
         }
+        // Bars fill at some times the best: beyond that it does not matter how bad a take is.
+        let worst = full_bar(&state.cards);
+        let cards = state.cards.clone();
+        let scrolled = ScrollArea::vertical().id_salt("takes").auto_shrink([false, true]);
+        let scrolled = scrolled.show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = theme::GRID;
+            for take in &cards {
+                let around = Around { worst, mini: self.minis.of(take) };
+                card::card_ui(ui, take, &around, state);
+            }
+        });
+        // A card that goes away under the pointer is clicked by mistake.
+        let is_over = ui.rect_contains_pointer(scrolled.inner_rect);
+        state.cards_are_held = is_over || state.renaming.is_some();
     }
-    // Bars fill at some times the best: beyond that it does not matter how bad a take is.
-    let best = state.cards.iter().map(|card| card.score).fold(f64::INFINITY, f64::min);
-    let worst = state.cards.iter().map(|card| card.score).fold(f64::MIN_POSITIVE, f64::max);
-    let worst = worst.min((FULL_BAR * best).max(1.0));
-    let mut clicked = None;
-    let shown = state.shown();
-    for card in &state.cards {
-        if card_ui(ui, card, &state.marks, worst, shown == Some(card.id)) {
-            clicked = Some(card.id);
-        }
-    }
-    // A card that goes away under the pointer is clicked by mistake.
-    state.cards_are_held = ui.rect_contains_pointer(ui.min_rect());
-    clicked.into_iter().for_each(|id| state.show_take(id));
 }
 
-fn card_ui(ui: &mut Ui, take: &TakeCard, marks: &[Mark], worst: f64, is_shown: bool) -> bool {
-    let palette = theme::of(ui);
-    let size = Vec2::new(ui.available_width(), CARD_PT);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let lane = &take.lane;
-    let label = format!("{}, cost {:.2}", take.title(), take.score);
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_shown, &label));
-    let ground = match (is_shown, response.hovered()) {
-        (true, _) => palette.accent_surface,
-        (false, true) => palette.hovered,
-        (false, false) => palette.raised,
+/// The cost at which a bar is full.
+pub fn full_bar(cards: &[TakeCard]) -> f64 {
+    let scores = || cards.iter().map(|card| card.score).filter(|score| score.is_finite());
+    let (best, worst) = (scores().fold(f64::INFINITY, f64::min), scores().fold(0.0, f64::max));
+    worst.min((FULL_BAR * best).max(1.0)).max(f64::MIN_POSITIVE)
+}
+
+/// A score as it is said.
+pub fn score_text(score: f64) -> String {
+    match score {
+        score if !score.is_finite() => "—".to_owned(),
+        score if score < 10.0 => format!("{score:.2}"),
+        score => format!("{score:.1}"),
+    }
+}
+
+fn head_ui(ui: &mut Ui, state: &mut EditorState) {
+    let n_pinned = state.cards.iter().filter(|card| card.is_pinned).count();
+    let beside = match (state.cards.len(), n_pinned) {
+        (0, _) => String::new(),
+        (n, 0) => format!("{n} found, the best first"),
+        (n, pinned) => format!("{n} found, {pinned} pinned"),
     };
-    let painter = ui.painter();
-    painter.rect_filled(rect, f32::from(theme::RADIUS), ground);
-    if is_shown {
-        let line = Stroke::new(1.0, palette.accent);
-        painter.rect_stroke(rect, f32::from(theme::RADIUS), line, StrokeKind::Inside);
+    let top = ui.cursor().top();
+    heading_ui(ui, "Takes", &beside);
+    if state.cards.len() < 2 {
+        return;
     }
-    way_ui(ui, Rect::from_min_size(rect.min, Vec2::splat(CARD_PT)).shrink(6.0), take, marks);
-    let left = rect.left() + CARD_PT + theme::GRID;
-    let text = |x: f32, y: f32, align, words: String, font, color| {
-        ui.painter().text(Pos2::new(x, rect.top() + y), align, words, font, color)
-    };
-    let right = rect.right() - 10.0;
-    let title = take.title();
-    text(left, 17.0, Align2::LEFT_CENTER, title, theme::heading(), palette.text);
-    let score = format!("{:.2}", take.score);
-    text(right, 17.0, Align2::RIGHT_CENTER, score, theme::body(), palette.text);
-    let cuts = match lane.cuts.len() {
-        1 => "1 cut".to_owned(),
-        n => format!("{n} cuts"),
-    };
-    let slide = lane.foot_slide_cm_per_s.map(|cm| format!(" · slide {cm:.1} cm/s"));
-    let about = format!("{} frames · {cuts}{}", take.n_frames(), slide.unwrap_or_default());
-    text(left, 34.0, Align2::LEFT_CENTER, about, theme::caption(), palette.faint);
-    let bar = Rect::from_x_y_ranges(left..=right, rect.top() + 48.0..=rect.top() + 53.0);
-    cost_bar_ui(ui, bar, take.terms, worst);
-    let response = response.on_hover_ui(|ui| {
-        ui.strong(format!("{} costs {:.2}", take.title(), take.score));
-        for (name, term) in TERMS.iter().zip(take.terms).filter(|(_, term)| *term > 0.005) {
-            ui.label(format!("{name} {term:.2}"));
+    let line = Rect::from_min_max(
+        egui::pos2(ui.max_rect().right() - 64.0, top + theme::GRID),
+        egui::pos2(ui.max_rect().right(), ui.cursor().top()),
+    );
+    let layout = Layout::right_to_left(Align::Center);
+    let mut right = ui.new_child(egui::UiBuilder::new().max_rect(line).layout(layout));
+    right.spacing_mut().item_spacing.x = 2.0;
+    for (icon, command, mode) in [
+        (icons::SPLIT, UiCommand::CompareSplit, CompareMode::Split),
+        (icons::OVERLAY, UiCommand::Compare, CompareMode::Overlay),
+    ] {
+        let is_on = state.comparing.mode == mode;
+        let tooltip = described(&right, command);
+        if icon_button_ui(&mut right, icon, &command.label(), &tooltip, is_on).clicked() {
+            state.ask(command);
         }
-    });
-    response.clicked()
-}
-
-/// What a cost is made of, as wide as it is high beside the worst.
-pub fn cost_bar_ui(ui: &Ui, bar: Rect, terms: [f64; 4], worst: f64) {
-    let palette = theme::of(ui);
-    ui.painter().rect_filled(bar, 2.0, palette.base);
-    let mut left = bar.left();
-    for (term, color) in terms.into_iter().zip(term_colors(&palette)) {
-        let width = bar.width() * (term / worst).clamp(0.0, 1.0) as f32;
-        if width < 0.5 {
-            continue;
-        }
-        let right = (left + width).min(bar.right());
-        let part = Rect::from_x_y_ranges(left..=right, bar.y_range());
-        ui.painter().rect_filled(part, 2.0, color);
-        left = right;
     }
 }
 
-/// The colours of [`TERMS`]: those of the things they speak of.
-pub fn term_colors(palette: &theme::Palette) -> [egui::Color32; 4] {
-    let role = |role| theme::role(role, palette.theme);
-    [palette.faint, palette.text, role(ColorRole::Checkpoint), role(ColorRole::Obstacle)]
+/// Says that there is something better, and shows it on a click: nothing is changed by itself.
+pub fn better_ui(ui: &mut Ui, state: &mut EditorState) {
+    let Some((_, percent)) = state.better() else { return };
+    let palette = theme::of(ui);
+    let text = RichText::new(better_text(percent)).font(theme::caption()).color(palette.text);
+    let icon = RichText::new(icons::BETTER).font(theme::icon()).color(palette.accent);
+    let button = egui::Button::new((icon, text)).fill(palette.accent_surface);
+    let response = ui.add(button).on_hover_text(described(ui, UiCommand::ShowBetter));
+    let label = format!("Show the better take, {percent:.0} % lower cost");
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
+    if response.clicked() {
+        state.ask(UiCommand::ShowBetter);
+    }
 }
 
-/// The way over the floor from above, with the checkpoints: what tells takes apart at a glance.
-fn way_ui(ui: &Ui, room: Rect, take: &TakeCard, marks: &[Mark]) {
-    let palette = theme::of(ui);
-    // +X is the body's left; seen from above with +Z up, left is left.
-    let flat = |x: f32, z: f32| Pos2::new(-x, -z);
-    let way: Vec<Pos2> = take.actor.ground_path_m().iter().map(|p| flat(p.x, p.z)).collect();
-    let marks: Vec<Pos2> = marks
-        .iter()
-        .filter_map(Mark::body)
-        .map(|(at_m, _)| flat(at_m[0] as f32, at_m[1] as f32))
-        .collect();
-    let all = way.iter().chain(&marks).fold(Rect::NOTHING, |all, p| all.union(Rect::from_pos(*p)));
-    let scale = (room.size() / all.size().max(Vec2::splat(0.5))).min_elem();
-    let place = |p: &Pos2| room.center() + (*p - all.center()) * scale;
-    let painter = ui.painter();
-    let line: Vec<Pos2> = way.iter().step_by(4).chain(way.last()).map(place).collect();
-    let color = theme::role(ColorRole::Take(take.hue), palette.theme);
-    painter.add(egui::Shape::line(line, Stroke::new(2.0, color)));
-    let orange = theme::role(ColorRole::Checkpoint, palette.theme);
-    for mark in &marks {
-        painter.circle_stroke(place(mark), 3.0, Stroke::new(1.5, orange));
-    }
+fn better_text(percent: f32) -> String {
+    format!("Better: −{percent:.0} % · show")
 }

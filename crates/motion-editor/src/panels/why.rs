@@ -80,7 +80,8 @@ fn constraint_ui(ui: &mut Ui, reason: &ConstraintReason, is_worst: bool, is_on: 
         (Some("met"), _) => "met".to_owned(),
         (Some(before), Some("met")) => format!("{before} · met after correction"),
         (Some(before), Some(after)) if after != before => {
-            format!("{before} · {after} after correction")
+            let left = after.strip_prefix("miss ").unwrap_or(after);
+            format!("{before} · {left} after correction")
         }
         (Some(before), _) => before.to_owned(),
     };

@@ -87,7 +87,7 @@ impl EditorState {
     }
 
     /// The stretch of the shown take that a lock would keep: what is played where a part was chosen,
-    /// else the piece at the playhead. Both ends included.
+    /// else the piece under the pointer or at the playhead. Both ends included.
     pub fn stretch_to_lock(&self) -> Option<(usize, usize)> {
         let card = self.shown_card()?;
         match self.session.playback().chosen_range() {
@@ -95,7 +95,7 @@ impl EditorState {
                 let PlayRange { from, to } = self.session.playback().range();
                 Some((from as usize, to as usize))
             }
-            None => stretch_at(&card.lane, self.frame_number()),
+            None => stretch_at(&card.lane, self.hovered_source.unwrap_or(self.frame_number())),
         }
     }
 

@@ -96,6 +96,8 @@ pub struct EditorState {
     pub cards_are_held: bool,
     /// The take whose card the pointer is over: it is seen as a ghost.
     pub hovered_card: Option<TakeId>,
+    /// The frame of the shown take whose source the pointer is over, on the timeline.
+    pub hovered_source: Option<usize>,
     /// What is looked at beside the shown take.
     pub comparing: Comparing,
     /// The take whose name is being typed, and what it is so far.
@@ -154,6 +156,7 @@ impl EditorState {
             n_exports: 0,
             cards_are_held: false,
             hovered_card: None,
+            hovered_source: None,
             comparing: Comparing::default(),
             renaming: None,
             right_tab: RightTab::default(),

@@ -27,6 +27,8 @@ pub fn ribbon_ui(ui: &Ui, row: Rect, axis: &Axis, state: &mut EditorState) {
     for cut in cuts {
         notch_ui(ui, row, axis, cut);
     }
+    let at = ui.input(|input| input.pointer.hover_pos()).filter(|at| bars.contains(*at));
+    state.hovered_source = at.map(|at| axis.frame_at(at.x).max(0.0) as usize);
 }
 
 fn piece_ui(

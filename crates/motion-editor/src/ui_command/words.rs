@@ -120,7 +120,7 @@ impl UiCommand {
             }
             Self::LockStretch => (
                 "Lock a stretch of this take",
-                "Keeps the chosen range of the shown take, or the piece at the playhead",
+                "Keeps the chosen range of the shown take, or the piece under the pointer",
             ),
             Self::PauseSearch => ("Pause or resume the search", "What was found stays"),
             Self::Shake => {

@@ -66,6 +66,7 @@ impl TakesPanel {
     pub fn ui(&self, ui: &mut Ui, state: &mut EditorState) {
         head_ui(ui, state);
         better_ui(ui, state);
+        ui.add_space(theme::GRID);
         if state.cards.is_empty() {
             state.cards_are_held = false;
             match state.search_state() {

@@ -15,7 +15,8 @@ use crate::focus;
 use crate::guide::Guide;
 use crate::log_window::log_window_ui;
 use crate::panels::library::LibraryPanel;
-use crate::panels::{inspector, status, takes, top_bar};
+use crate::panels::takes::TakesPanel;
+use crate::panels::{right_tab, status, top_bar};
 use crate::settings::Settings;
 use crate::settings_window::settings_window_ui;
 use crate::shortcut_sheet::shortcut_sheet_ui;
@@ -35,6 +36,7 @@ pub struct EditorApp {
     /// The timeline.
     pub timeline: TimelinePanel,
     library: LibraryPanel,
+    takes: TakesPanel,
     palette: CommandPalette,
     sheet_is_open: bool,
     guide: Guide,
@@ -66,6 +68,7 @@ impl EditorApp {
             viewport: ViewportPanel::new(cc.wgpu_render_state.as_ref(), &cc.egui_ctx),
             timeline: TimelinePanel::default(),
             library: LibraryPanel::default(),
+            takes: TakesPanel::default(),
             palette: CommandPalette::default(),
             sheet_is_open: false,
             guide: Guide::default(),
@@ -74,6 +77,11 @@ impl EditorApp {
             export: ExportDialog::default(),
             files,
         })
+    }
+
+    /// The gallery.
+    pub fn takes(&self) -> &TakesPanel {
+        &self.takes
     }
 
     fn do_commands(&mut self, ctx: &egui::Context) {
@@ -198,17 +206,18 @@ impl EditorApp {
                 .frame(side)
                 .show(ui, |ui| {
                     focus::anchor_ui(ui, focus::PANELS[3]);
-                    let scroll = |name| egui::ScrollArea::vertical().id_salt(name);
                     // Whatever is found, what is selected stays in sight.
-                    let room = 0.6 * ui.available_height();
-                    scroll("takes")
-                        .auto_shrink([false, true])
-                        .max_height(room)
-                        .show(ui, |ui| takes::takes_ui(ui, state));
-                    ui.add_space(2.0 * theme::GRID);
-                    scroll("inspector")
+                    let room = 0.58 * ui.available_height();
+                    ui.scope(|ui| {
+                        ui.set_max_height(room);
+                        self.takes.ui(ui, state);
+                    });
+                    ui.add_space(3.0 * theme::GRID);
+                    right_tab::tab_bar_ui(ui, state);
+                    egui::ScrollArea::vertical()
+                        .id_salt("right tab")
                         .auto_shrink(false)
-                        .show(ui, |ui| inspector::inspector_ui(ui, state));
+                        .show(ui, |ui| right_tab::tab_ui(ui, state));
                 });
             state.settings.right.size_pt = Some(shown.response.rect.width());
         }
@@ -237,6 +246,7 @@ impl eframe::App for EditorApp {
         self.do_commands(&ctx);
         self.see_to_files(&ctx);
         self.viewport.forget_hover(&mut self.state);
+        self.takes.keep_up(&ctx, self.viewport.canvas(), &self.state);
         self.panels_ui(ui);
         if let Some(command) = self.palette.ui(ui, &self.state) {
             self.state.ask(command);

@@ -48,6 +48,20 @@ pub const POSE: &str = "\u{e465}";
 pub const ADD: &str = "\u{e13d}";
 /// Removes something.
 pub const REMOVE: &str = "\u{e18d}";
+/// Pinned.
+pub const PIN: &str = "\u{e259}";
+/// No longer pinned.
+pub const UNPIN: &str = "\u{e2b6}";
+/// For earlier constraints.
+pub const STALE: &str = "\u{e145}";
+/// From other beginnings.
+pub const SHAKE: &str = "\u{e2c5}";
+/// Several in one view.
+pub const OVERLAY: &str = "\u{e52a}";
+/// Several side by side.
+pub const SPLIT: &str = "\u{e098}";
+/// Better.
+pub const BETTER: &str = "\u{e190}";
 /// Something is wrong.
 pub const ALERT: &str = "\u{e077}";
 /// A folder of files.

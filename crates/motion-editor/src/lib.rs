@@ -18,7 +18,9 @@ pub mod focus;
 pub mod mark;
 pub mod notices;
 pub mod project_source;
+pub mod reasons;
 pub mod settings;
+pub mod stretch;
 pub mod take_card;
 pub mod ui_command;
 

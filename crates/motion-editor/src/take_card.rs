@@ -42,7 +42,21 @@ pub struct TakeCard {
     pub actor: Actor,
     /// How its motion is made and judged.
     pub lane: Arc<Lane>,
+    /// When it came, seconds since the window opened; in the past for those that came first.
+    pub came_at_secs: f64,
 }
+
+/// How cards are ordered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// Whether those that were known stay where they are.
+    pub are_held: bool,
+    /// Now, seconds since the window opened.
+    pub now_secs: f64,
+}
+
+/// So long a take is new, seconds.
+pub const NEW_SECS: f64 = 6.0;
 
 /// How a motion is made and judged.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -95,6 +109,11 @@ impl TakeCard {
         self.actor.n_frames().max(1)
     }
 
+    /// Whether it came a moment ago.
+    pub fn is_new(&self, now_secs: f64) -> bool {
+        now_secs - self.came_at_secs < NEW_SECS
+    }
+
     /// What it is called.
     pub fn title(&self) -> String {
         self.name.clone().unwrap_or_else(|| format!("Take {}", self.number))
@@ -102,16 +121,18 @@ impl TakeCard {
 }
 
 /// The active character's takes that have a motion: the pinned ones, then the best first. Where
-/// they `are_held`, those that were `known` stay where they are and new ones come last.
+/// they are held, those that were `known` stay where they are and new ones come last.
 pub fn cards_of(
     session: &Session,
     theme: Theme,
     known: &[TakeCard],
-    are_held: bool,
+    order: Order,
 ) -> Vec<TakeCard> {
     let active = session.active();
     let Some(found) = session.snapshot().character(active) else { return Vec::new() };
     let takes = session.document().takes();
+    // Of the first, all are new, so none is.
+    let first_secs = if known.is_empty() { f64::NEG_INFINITY } else { order.now_secs };
     let mut cards: Vec<TakeCard> = Vec::new();
     for take in &found.takes {
         let Some(made) = &take.made else { continue };
@@ -132,10 +153,11 @@ pub fn cards_of(
             terms: [t.continuity, t.length, t.body, t.environment].map(f64::from),
             actor,
             lane,
+            came_at_secs: before.map_or(first_secs, |card| card.came_at_secs),
         });
     }
     // Stable: what is equal stays as the search has it.
-    if are_held {
+    if order.are_held {
         cards.sort_by_key(|card| card.number);
     } else {
         cards.sort_by(|a, b| {

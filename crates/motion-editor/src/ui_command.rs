@@ -106,7 +106,15 @@ pub enum UiCommand {
     // Takes.
     /// From 1 to 9.
     ShowTake(u8),
+    /// From 1 to 9.
+    PinTake(u8),
     FlipTakes,
+    ShowBetter,
+    Compare,
+    CompareSplit,
+    RenameTake,
+    MoreLikeThis,
+    LockStretch,
     PauseSearch,
     Shake,
     FollowBest,
@@ -220,7 +228,9 @@ pub fn menus() -> Vec<Menu> {
             "Takes",
             vec![
                 (1..=9).map(C::ShowTake).collect(),
-                vec![C::FlipTakes],
+                (1..=9).map(C::PinTake).collect(),
+                vec![C::FlipTakes, C::ShowBetter, C::Compare, C::CompareSplit],
+                vec![C::RenameTake, C::MoreLikeThis, C::LockStretch],
                 vec![C::PauseSearch, C::Shake, C::FollowBest],
             ],
         ),

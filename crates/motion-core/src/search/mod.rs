@@ -25,6 +25,7 @@ mod rng;
 mod route;
 mod seeds;
 mod tables;
+mod vary;
 
 #[cfg(test)]
 mod brute;

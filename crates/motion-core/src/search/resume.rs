@@ -85,7 +85,7 @@ impl Search {
     /// now.
     pub fn offer(&mut self, path: &Path, improves: Option<Path>) -> bool {
         let round = self.progress.iteration;
-        let Some(route) = self.usable_route(path) else { return false };
+        let Some(route) = usable_route(self, path) else { return false };
         let (library, target) = (&self.library, &self.target);
         let taken = self.alternatives.offer(library, target, &route, round, improves);
         self.note_best([route]);
@@ -133,22 +133,9 @@ impl Search {
         )
     }
 
-    /// Lays the path out, if it may be used.
-    fn usable_route(&self, path: &Path) -> Option<Route> {
-        let graph = self.library.graph();
-        let allowed = |route: &Route| {
-            route.spans.iter().all(|span| self.problem.allowed_clips[span.clip.idx()])
-                && (self.problem.bridges
-                    || !route.path.cuts.iter().any(|&cut| graph.forest.is_bridge(cut)))
-        };
-        let valid = path.is_valid(graph);
-        let route = valid.then(|| Route::new(&self.library, &self.target, path.clone()))?;
-        route.filter(allowed)
-    }
-
     fn go_on_from(&mut self, paths: &[Path]) {
         let mut routes: Vec<Route> =
-            paths.par_iter().filter_map(|path| self.usable_route(path)).collect();
+            paths.par_iter().filter_map(|path| usable_route(self, path)).collect();
         routes.sort_by(|a, b| a.score.total_cmp(&b.score));
         self.alternatives = Alternatives::new(MAX_ALTERNATIVES);
         let round = self.progress.iteration;
@@ -179,6 +166,19 @@ impl Search {
         }
         self.progress.n_alternatives = self.alternatives.kept().len();
     }
+}
+
+/// Lays the path out, if it may be used for what `search` is asked.
+pub(super) fn usable_route(search: &Search, path: &Path) -> Option<Route> {
+    let graph = search.library.graph();
+    let allowed = |route: &Route| {
+        route.spans.iter().all(|span| search.problem.allowed_clips[span.clip.idx()])
+            && (search.problem.bridges
+                || !route.path.cuts.iter().any(|&cut| graph.forest.is_bridge(cut)))
+    };
+    let valid = path.is_valid(graph);
+    let route = valid.then(|| Route::new(&search.library, &search.target, path.clone()))?;
+    route.filter(allowed)
 }
 
 /// What is asked, as far as a motion of `n_frames` can be judged by it: without checkpoints that it

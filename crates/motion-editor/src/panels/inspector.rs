@@ -44,7 +44,7 @@ fn mark_ui(ui: &mut Ui, mark: &Mark, fps: f64) {
 
 fn cost_ui(ui: &mut Ui, card: &TakeCard) {
     let palette = theme::of(ui);
-    let colors = takes::term_colors(&palette);
+    let colors = takes::cost_bar::term_colors(&palette);
     for ((name, term), color) in TERMS.iter().zip(card.terms).zip(colors) {
         if term < 0.005 {
             continue;

@@ -1,9 +1,16 @@
 //! What stands around the view, a panel a file.
 
-pub mod inspector;
-pub mod library;
-pub mod status;
 pub mod takes;
+
+pub mod right_tab;
+
+pub mod cost;
+pub mod inspector;
+pub mod why;
+
+pub mod library;
+pub mod search_chip;
+pub mod status;
 pub mod top_bar;
 
 use egui::{RichText, Ui};

@@ -1,8 +1,8 @@
 //! Menus, the name of the project, and how the search stands.
 
-use egui::{Align, Button, Layout, MenuBar, RichText, Sense, Ui, Vec2};
-use motion_session::live::SearchState;
+use egui::{Align, Button, Layout, MenuBar, RichText, Ui};
 
+use super::search_chip;
 use crate::icons;
 use crate::state::EditorState;
 use crate::theme;
@@ -39,7 +39,7 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
                 }
             }
             ui.add_space(3.0 * theme::GRID);
-            chip_ui(ui, state);
+            search_chip::search_chip_ui(ui, state);
             ui.add_space(3.0 * theme::GRID);
             let faint = theme::of(ui).faint;
             let changed = if state.session.is_changed() { " •" } else { "" };
@@ -54,6 +54,10 @@ fn menu_ui(ui: &mut Ui, groups: &[Vec<C>], state: &mut EditorState) {
     for (nth, group) in groups.iter().enumerate() {
         if nth > 0 {
             ui.separator();
+        }
+        if group.iter().all(|command| matches!(command, C::PinTake(_))) {
+            ui.menu_button("Pin or unpin", |ui| menu_ui(ui, std::slice::from_ref(group), state));
+            continue;
         }
         for &command in group {
             let enabled = command.is_enabled(state);
@@ -100,44 +104,4 @@ fn workspace_ui(ui: &mut Ui) {
     let y = ui.max_rect().bottom() - 1.0;
     let line = egui::Stroke::new(2.0, palette.accent);
     ui.painter().hline(response.rect.x_range(), y, line);
-}
-
-/// How the search stands, in a few words.
-fn chip_ui(ui: &mut Ui, state: &EditorState) {
-    let palette = theme::of(ui);
-    let miss = theme::role(motion_scene::color::ColorRole::Miss, palette.theme);
-    let best = state.cards.iter().map(|card| card.score).fold(f64::INFINITY, f64::min);
-    let n = state.cards.len();
-    let found = if n == 0 { String::new() } else { format!(" · best {best:.2} · {n} takes") };
-    let better = state.better();
-    let better =
-        better.map(|(_, percent)| format!(" · better: −{percent:.0} %")).unwrap_or_default();
-    let search = state.search_state();
-    let (icon, color, text) = match &search {
-        SearchState::NoGraph | SearchState::Ready => {
-            (icons::WORKING, palette.accent, "Preparing".to_owned())
-        }
-        SearchState::Building { share, .. } => {
-            (icons::WORKING, palette.accent, format!("Reading · {:.0} %", share * 100.0))
-        }
-        SearchState::Searching => {
-            (icons::WORKING, palette.accent, format!("Searching{found}{better}"))
-        }
-        SearchState::Paused => (icons::PAUSE, palette.faint, format!("Paused{found}{better}")),
-        SearchState::Settled => (icons::DONE, palette.faint, format!("Settled{found}{better}")),
-        SearchState::Infeasible(_) => (icons::ALERT, miss, format!("Cannot be met{found}")),
-        SearchState::Error(_) => (icons::ALERT, miss, "No search".to_owned()),
-    };
-    let response = ui.label(RichText::new(text).font(theme::caption()).color(palette.text));
-    if let SearchState::Infeasible(sentence) | SearchState::Error(sentence) = &search {
-        response.on_hover_text(sentence);
-    }
-    let (place, _) = ui.allocate_exact_size(Vec2::splat(theme::ICON), Sense::hover());
-    ui.painter().text(
-        place.center(),
-        egui::Align2::CENTER_CENTER,
-        icon,
-        egui::FontId { size: 14.0, ..theme::icon() },
-        color,
-    );
 }

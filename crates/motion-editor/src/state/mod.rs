@@ -3,7 +3,10 @@
 //! The session has the document, the search, the playhead and what is selected. The state adds what
 //! only a window has: the order of the takes, what they look like, how panels are set up.
 
+mod comparing;
 mod edit;
+mod gain;
+mod keeping;
 pub mod moving;
 mod nudge;
 mod playing;
@@ -12,6 +15,8 @@ mod run;
 mod showing;
 mod timing;
 
+pub use comparing::{CompareMode, Comparing, MAX_COMPARED};
+pub use gain::Gain;
 pub use playing::SPEEDS;
 pub use preview::ClipPreview;
 
@@ -31,9 +36,10 @@ use motion_session::{Palette, Session};
 use crate::dialogs::Answers;
 use crate::mark::{Mark, marks_of};
 use crate::notices::Notices;
+use crate::panels::right_tab::RightTab;
 use crate::project_source::{Opened, ProjectSource};
 use crate::settings::Settings;
-use crate::take_card::{TakeCard, cards_of};
+use crate::take_card::{Order, TakeCard, cards_of};
 use crate::ui_command::UiCommand;
 
 /// How an editor begins.
@@ -95,6 +101,20 @@ pub struct EditorState {
     pub is_dragging_beside: bool,
     /// Whether cards stay in their places because the pointer is over them.
     pub cards_are_held: bool,
+    /// The take whose card the pointer is over: it is seen as a ghost.
+    pub hovered_card: Option<TakeId>,
+    /// The frame of the shown take whose source the pointer is over, on the timeline.
+    pub hovered_source: Option<usize>,
+    /// What is looked at beside the shown take.
+    pub comparing: Comparing,
+    /// The take whose name is being typed, and what it is so far.
+    pub renaming: Option<(TakeId, String)>,
+    /// What the lower part of the right panel shows.
+    pub right_tab: RightTab,
+    /// When the best take last got better.
+    pub gain: Gain,
+    /// Seconds since the window opened.
+    pub clock_secs: f64,
     /// What was asked for since the last frame.
     commands: Vec<UiCommand>,
     /// The last small step by key, which the next one of its kind joins.
@@ -111,10 +131,12 @@ impl EditorState {
         let settings = preferences.as_ref().map(|file| Settings::of(file.get()));
         let settings = settings.unwrap_or_default();
         let recent = preferences.as_ref().map(|file| file.get().recent.shown());
+        let autosave_secs = preferences.as_ref().map(|file| file.get().autosave_secs);
         let for_search = ctx.clone();
         let wake: Wake = Arc::new(move || for_search.request_repaint());
         let mut session =
             Session::new(SessionOptions { state_folder, wake, builtin: None, project: None })?;
+        autosave_secs.into_iter().for_each(|secs| session.set_autosave_secs(secs));
         let mut notices = Notices::default();
         let odd = preferences.as_mut().map(PreferencesFile::take_remarks);
         odd.into_iter().flatten().for_each(|text| notices.note(text));
@@ -147,6 +169,13 @@ impl EditorState {
             merging: None,
             is_dragging_beside: false,
             cards_are_held: false,
+            hovered_card: None,
+            hovered_source: None,
+            comparing: Comparing::default(),
+            renaming: None,
+            right_tab: RightTab::default(),
+            gain: Gain::default(),
+            clock_secs: 0.0,
             commands: Vec::new(),
             wake: ctx.clone(),
         };
@@ -194,6 +223,9 @@ impl EditorState {
 
     /// Takes in what threads have done and lets `dt_secs` pass; never waits.
     pub fn poll(&mut self, dt_secs: f64) {
+        self.clock_secs += dt_secs;
+        // Cards say so anew in every frame.
+        self.hovered_card = None;
         let polled = self.session.poll(dt_secs);
         for remark in self.session.take_remarks() {
             self.notices.note(remark);
@@ -212,7 +244,10 @@ impl EditorState {
     pub fn refresh(&mut self) {
         let theme = self.settings.theme;
         self.list_clips();
-        self.cards = cards_of(&self.session, theme, &self.cards, self.cards_are_held);
+        let order = Order { are_held: self.cards_are_held, now_secs: self.clock_secs };
+        self.cards = cards_of(&self.session, theme, &self.cards, order);
+        self.forget_gone_takes();
+        self.note_gain();
         self.stage = self.session.stage(theme);
         // A miss of earlier constraints is no news, but while something is dragged new ones come
         // faster than a flicker.

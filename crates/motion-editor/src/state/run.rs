@@ -3,7 +3,7 @@
 use motion_scene::color::Theme;
 use motion_session::document::CharacterIdx;
 
-use super::EditorState;
+use super::{CompareMode, EditorState};
 use crate::settings::{Navigation, Tool};
 use crate::ui_command::UiCommand as C;
 
@@ -72,6 +72,22 @@ impl EditorState {
                 let before = self.shown_before;
                 before.into_iter().for_each(|id| self.show_take(id));
             }
+            C::PinTake(n) => {
+                let id = self.cards.get(usize::from(n).wrapping_sub(1)).map(|card| card.id);
+                id.into_iter().for_each(|id| self.toggle_pin(id));
+            }
+            C::ShowBetter => {
+                let better = self.better();
+                better.into_iter().for_each(|(id, _)| self.show_take(id));
+            }
+            C::Compare => match self.comparing.mode {
+                CompareMode::Off => self.toggle_comparing(CompareMode::Overlay),
+                on => self.toggle_comparing(on),
+            },
+            C::CompareSplit => self.toggle_comparing(CompareMode::Split),
+            C::RenameTake => self.shown().into_iter().for_each(|id| self.begin_renaming(id)),
+            C::MoreLikeThis => self.shown().into_iter().for_each(|id| self.more_like(id)),
+            C::LockStretch => self.lock_stretch(),
             _ => return false,
         }
         true

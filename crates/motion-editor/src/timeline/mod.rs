@@ -22,6 +22,7 @@ pub mod row;
 pub mod rows;
 pub mod ruler;
 pub mod sheet;
+pub mod take_drop;
 pub mod time_unit;
 pub mod transport;
 
@@ -123,7 +124,8 @@ impl TimelinePanel {
         scroll_bar_ui(&sheet, window, self.scroll_pt, layout.height_pt);
         let touched = self.box_ui(&sheet, window);
         self.ground_menu_ui(&ground, &mut sheet, &layout);
-        let actions = sheet.actions;
+        let (actions, hovered_source) = (sheet.actions, sheet.hovered_source);
+        state.hovered_source = hovered_source;
 
         if let (Some(Drag::Box(band)), Some(touched)) = (&self.drag, touched) {
             band.select(&touched, state);
@@ -136,6 +138,7 @@ impl TimelinePanel {
         let can_scroll = max_scroll > 0.0;
         let by = navigate::navigate_ui(ui, &ground, (panel, lanes), axis, can_scroll, state);
         self.scroll_pt = (self.scroll_pt + by).clamp(0.0, max_scroll);
+        take_drop::take_drop_ui(ui, &ground, lanes, axis, state);
     }
 
     /// The axis for today's width and length.

@@ -29,6 +29,8 @@ pub fn ribbon_ui(sheet: &mut Sheet<'_>, row: Rect) {
         let sides = (lane.pieces.get(nth), lane.pieces.get(nth + 1));
         notch_ui(sheet, row, cut, sides);
     }
+    let at = sheet.ui.input(|input| input.pointer.hover_pos()).filter(|at| bars.contains(*at));
+    sheet.hovered_source = at.map(|at| sheet.axis.frame_at(at.x).max(0.0) as usize);
 }
 
 fn piece_ui(sheet: &mut Sheet<'_>, bars: Rect, (nth, piece): (usize, &Piece), cut: Option<&Cut>) {

@@ -23,6 +23,8 @@ pub struct Sheet<'a> {
     pub window: Rect,
     /// What was asked for.
     pub actions: Vec<Action>,
+    /// The frame of the shown take whose source is pointed at.
+    pub hovered_source: Option<usize>,
     /// Where marks are: their places in [`EditorState::marks`], for the rubber band.
     pub placed: Vec<(usize, Rect)>,
 }
@@ -31,7 +33,8 @@ impl<'a> Sheet<'a> {
     /// Nothing drawn yet.
     pub fn new(ui: &'a Ui, state: &'a EditorState, axis: Axis, window: Rect) -> Self {
         let palette = theme::of(ui);
-        Self { ui, state, axis, palette, window, actions: Vec::new(), placed: Vec::new() }
+        let (actions, placed, hovered_source) = (Vec::new(), Vec::new(), None);
+        Self { ui, state, axis, palette, window, actions, hovered_source, placed }
     }
 
     /// A painter that stays within the rows.

@@ -4,7 +4,7 @@ use motion_session::selection::Selectable;
 
 use super::UiCommand;
 use crate::settings::{GhostMode, Tool};
-use crate::state::EditorState;
+use crate::state::{CompareMode, EditorState};
 
 impl UiCommand {
     /// Whether it can be done now.
@@ -33,7 +33,13 @@ impl UiCommand {
             Self::SelectAll => !state.marks.is_empty(),
             Self::ClearLoop => state.session.playback().chosen_range().is_some(),
             Self::NextCharacter => state.session.document().characters().len() > 1,
-            Self::ShowTake(n) => usize::from(n) <= state.cards.len(),
+            Self::ShowTake(n) | Self::PinTake(n) => usize::from(n) <= state.cards.len(),
+            Self::ShowBetter => state.better().is_some(),
+            Self::Compare | Self::CompareSplit => {
+                state.cards.len() > 1 || self.is_on(state) == Some(true)
+            }
+            Self::RenameTake | Self::MoreLikeThis => state.shown_card().is_some(),
+            Self::LockStretch => state.stretch_to_lock().is_some(),
             Self::FlipTakes => state.shown_before.is_some(),
             Self::PlayPause
             | Self::PlayBackwards
@@ -79,6 +85,12 @@ impl UiCommand {
             Self::LeftPanel => settings.left.open,
             Self::RightPanel => settings.right.open,
             Self::Timeline => settings.timeline.open,
+            Self::Compare => state.comparing.mode != CompareMode::Off,
+            Self::CompareSplit => state.comparing.mode == CompareMode::Split,
+            Self::PinTake(n) => {
+                let card = state.cards.get(usize::from(n).wrapping_sub(1));
+                card.is_some_and(|card| card.is_pinned)
+            }
             Self::ShowTake(n) => {
                 let card = state.cards.get(usize::from(n).wrapping_sub(1));
                 card.is_some_and(|card| state.shown() == Some(card.id))

@@ -152,7 +152,17 @@ impl UiCommand {
                 let digit = DIGITS.get(usize::from(n).wrapping_sub(1));
                 digit.map(|digit| bare(*digit)).into_iter().collect()
             }
+            Self::PinTake(n) => {
+                let digit = DIGITS.get(usize::from(n).wrapping_sub(1));
+                digit.map(|digit| shift(*digit)).into_iter().collect()
+            }
             Self::FlipTakes => vec![bare(Key::Tab)],
+            Self::ShowBetter => Vec::new(),
+            Self::Compare => vec![bare(Key::U)],
+            Self::CompareSplit => vec![shift(Key::U)],
+            Self::RenameTake => vec![bare(Key::F2)],
+            Self::MoreLikeThis => vec![bare(Key::V)],
+            Self::LockStretch => vec![bare(Key::Y)],
             Self::PauseSearch => vec![ctrl(Key::Enter)],
             Self::Shake => vec![ctrl_shift(Key::Enter)],
             Self::FollowBest => Vec::new(),
@@ -188,11 +198,23 @@ pub fn pressed(ctx: &egui::Context) -> Vec<UiCommand> {
         std::cmp::Reverse(u8::from(m.shift) + u8::from(m.alt) + u8::from(m.ctrl))
     });
     ctx.input_mut(|input| {
+        input.events.iter_mut().for_each(digit_again);
         keys.iter()
             .filter(|(shortcut, _)| !is_of_widget(shortcut) && input.consume_shortcut(shortcut))
             .map(|(_, command)| *command)
             .collect()
     })
+}
+
+/// With Shift the row of digits has other letters, another set in every country: what counts is
+/// which key it is.
+fn digit_again(event: &mut egui::Event) {
+    if let egui::Event::Key { key, physical_key: Some(physical), modifiers, .. } = event
+        && modifiers.shift
+        && DIGITS.contains(physical)
+    {
+        *key = *physical;
+    }
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ impl UiCommand {
                 let sample = SAMPLES.get(usize::from(nth)).map_or("", |sample| sample.title);
                 format!("Sample “{sample}”")
             }
+            Self::PinTake(n) => format!("Pin or unpin take {n}"),
             other => other.words().0.to_owned(),
         }
     }
@@ -195,6 +196,28 @@ impl UiCommand {
             Self::FlipTakes => {
                 ("Flip between the last two takes", "Compares two takes at the same frame")
             }
+            Self::PinTake(_) => {
+                ("Pin or unpin take", "A pinned take stays with the project, whatever is found")
+            }
+            Self::ShowBetter => (
+                "Show the better take",
+                "Shows the best take where it is better than the shown one",
+            ),
+            Self::Compare => (
+                "Compare takes",
+                "Shows other takes beside this one, each in its colour; Shift+click adds a card",
+            ),
+            Self::CompareSplit => {
+                ("Compare takes side by side", "Shows each take in a view of its own, one camera")
+            }
+            Self::RenameTake => ("Rename the take…", "Types a name on the shown take's card"),
+            Self::MoreLikeThis => {
+                ("More like this take", "Looks for takes that share at least half of the shown one")
+            }
+            Self::LockStretch => (
+                "Lock a stretch of this take",
+                "Keeps the chosen range of the shown take, or the piece under the pointer",
+            ),
             Self::PauseSearch => ("Pause or resume the search", "What was found stays"),
             Self::Shake => {
                 ("Shake the search", "Searches from other beginnings; what was found stays")

@@ -22,12 +22,21 @@ pub struct Canvas {
     renderer: Renderer,
     picker: Picker,
     targets: Option<(Targets, TextureId)>,
+    /// Views beside the main one, each with what it shows.
+    beside: Vec<Beside>,
     models: BTreeMap<MeshId, Arc<BodyModel>>,
     drawn: Option<(Scene, View)>,
     /// How many pictures were drawn.
     n_drawn: u64,
     /// Whether a question to the picker has no answer yet.
     is_asking: bool,
+}
+
+/// A view beside the main one.
+struct Beside {
+    targets: Targets,
+    texture: TextureId,
+    drawn: Option<(Scene, View)>,
 }
 
 impl Canvas {
@@ -42,6 +51,7 @@ impl Canvas {
             renderer: Renderer::new(&gpu),
             picker: Picker::new(&gpu),
             targets: None,
+            beside: Vec::new(),
             models: BTreeMap::new(),
             drawn: None,
             n_drawn: 0,
@@ -86,6 +96,7 @@ impl Canvas {
         self.renderer.set_model(id, model);
         self.models.insert(id, Arc::clone(model));
         self.drawn = None;
+        self.beside.iter_mut().for_each(|view| view.drawn = None);
     }
 
     /// Draws `scene` as large as `size_pt`, and gives the picture.
@@ -113,6 +124,61 @@ impl Canvas {
         }
         self.targets = Some((targets, texture));
         texture
+    }
+
+    /// Draws `scene` for the view number `nth` beside the main one (from 0), which has to come after
+    /// the one before it. Nothing is picked in it.
+    pub fn draw_beside(
+        &mut self,
+        nth: usize,
+        scene: Scene,
+        camera: OrbitCamera,
+        size_pt: Vec2,
+        pixels_per_point: f32,
+    ) -> TextureId {
+        let view = view_of(camera, size_pt, pixels_per_point);
+        let size_px = (view.width_px, view.height_px);
+        let is_new = nth >= self.beside.len();
+        if is_new || self.beside[nth].targets.size_px() != size_px {
+            let old = (!is_new).then(|| self.beside.remove(nth).texture);
+            let (targets, texture) = self.resized(old, &view);
+            let at = nth.min(self.beside.len());
+            self.beside.insert(at, Beside { targets, texture, drawn: None });
+        }
+        let at = nth.min(self.beside.len() - 1);
+        let beside = &mut self.beside[at];
+        if beside.drawn.as_ref().is_none_or(|(drawn, from)| *drawn != scene || *from != view) {
+            self.renderer.draw(&scene, &view, &mut beside.targets);
+            beside.drawn = Some((scene, view));
+        }
+        beside.texture
+    }
+
+    /// Lets go of the views beside the main one past the first `n`. To be called before anything of
+    /// this frame is painted.
+    pub fn keep_beside(&mut self, n: usize) {
+        let gone: Vec<TextureId> =
+            self.beside.drain(n.min(self.beside.len())..).map(|b| b.texture).collect();
+        gone.into_iter().for_each(|texture| self.free(texture));
+    }
+
+    /// A picture that is drawn once and kept; whoever has it gives it back to [`Self::free`].
+    pub fn still(
+        &mut self,
+        scene: &Scene,
+        camera: OrbitCamera,
+        size_pt: Vec2,
+        pixels_per_point: f32,
+    ) -> TextureId {
+        let view = view_of(camera, size_pt, pixels_per_point);
+        let (mut targets, texture) = self.resized(None, &view);
+        self.renderer.draw(scene, &view, &mut targets);
+        texture
+    }
+
+    /// Lets go of a picture that nothing of this frame paints.
+    pub fn free(&self, texture: TextureId) {
+        self.state.renderer.write().free_texture(&texture);
     }
 
     fn resized(&self, texture: Option<TextureId>, view: &View) -> (Targets, TextureId) {

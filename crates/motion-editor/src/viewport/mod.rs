@@ -1,6 +1,7 @@
 //! The view: the shown take in three dimensions.
 
 pub mod canvas;
+pub mod compare;
 pub mod fly;
 pub mod frame_on;
 pub mod gesture;
@@ -130,6 +131,11 @@ impl ViewportPanel {
     /// Whether the device that draws is gone.
     pub fn is_device_lost(&self) -> bool {
         self.canvas.as_ref().is_some_and(Canvas::is_lost)
+    }
+
+    /// What draws, for pictures beside the view.
+    pub fn canvas(&mut self) -> Option<&mut Canvas> {
+        self.canvas.as_mut()
     }
 
     /// How many pictures were drawn so far.
@@ -276,7 +282,8 @@ impl ViewportPanel {
 
     /// The whole panel.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut EditorState) {
-        let size = ui.available_size().max(Vec2::splat(1.0));
+        let whole = ui.available_size().max(Vec2::splat(1.0));
+        let size = compare::size_of_main(whole, compare::n_views(state));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, LABEL));
         self.rect = rect;
@@ -293,6 +300,10 @@ impl ViewportPanel {
         self.navigate_ui(ui, &response, claim, state);
         self.keep_up(ui, state);
         self.draw_ui(ui, rect, state);
+        let whole = Rect::from_min_size(rect.min, whole);
+        if let Some(canvas) = &mut self.canvas {
+            compare::others_ui(ui, whole, canvas, &mut self.camera, state);
+        }
         self.pick_ui(ui, &response, claim, state);
         overlay::overlay_ui(ui, rect, state, self.fps);
         self.gesture.overlay_ui(ui, &Sight { camera: self.camera, rect }, state);

@@ -10,6 +10,7 @@ use motion_session::selection::Selectable;
 use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Show, Staged};
 
+use super::compare;
 use crate::settings::GhostMode;
 use crate::state::EditorState;
 
@@ -36,16 +37,12 @@ pub fn staged(state: &EditorState, ghost: Option<Vec<Mat4>>) -> Option<Staged> {
     if state.stage.actors.is_empty() {
         return None;
     }
-    let show = Show {
-        wishes: true,
-        trail: state.settings.trail,
-        ghosts: if state.settings.ghosts == GhostMode::Fan { N_GHOSTS } else { 0 },
-    };
-    let mut staged = state.stage.scene_at(state.frame(), show);
+    let mut staged = state.stage.scene_at(state.frame(), choices(state));
     if let Some(preview) = &state.preview {
         let color = ColorRole::Pose.color(state.settings.theme).with_alpha(PREVIEW_ALPHA);
         staged.scene.bodies.push(preview.actor.body_at(preview.frame, Look::Ghost(color)));
     }
+    compare::add_others(&mut staged.scene, state);
     add_ghosts(&mut staged, state);
     add_trails(&mut staged, state);
     if let (Some(pose), Some(actor)) = (ghost, state.stage.actors.first()) {
@@ -66,6 +63,15 @@ pub fn staged(state: &EditorState, ghost: Option<Vec<Mat4>>) -> Option<Staged> {
     };
     mark(&mut staged, is_selected, Emphasis::Selected);
     Some(staged)
+}
+
+/// What is shown besides bodies.
+pub fn choices(state: &EditorState) -> Show {
+    Show {
+        wishes: true,
+        trail: state.settings.trail,
+        ghosts: if state.settings.ghosts == GhostMode::Fan { N_GHOSTS } else { 0 },
+    }
 }
 
 /// The moments around the playhead, or those at which something is asked for.

@@ -6,6 +6,7 @@ mod device_loss;
 mod files;
 mod look;
 mod path_dialog;
+mod takes;
 mod timeline;
 mod timeline_cost;
 mod window;

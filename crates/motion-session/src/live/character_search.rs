@@ -18,6 +18,7 @@ use motion_core::path::Path;
 use motion_core::search::Search;
 use motion_io::content_hash::ContentHash;
 
+use super::kindred::Kindred;
 use super::layers::Layers;
 use super::lineage::Lineage;
 use super::ready_library::ReadyLibrary;
@@ -57,6 +58,7 @@ pub(super) struct CharacterSearch {
     /// Paths of earlier constraints, the latest first.
     pool: Vec<Path>,
     pinned: Vec<Path>,
+    kindred: Kindred,
     lineage: Lineage,
     shown: Option<Shown>,
     follow_best: bool,
@@ -136,6 +138,7 @@ impl CharacterSearch {
             remembered: Vec::new(),
             pool: Vec::new(),
             pinned: pinned.to_vec(),
+            kindred: Kindred::default(),
             lineage: Lineage::default(),
             shown: None,
             follow_best: false,
@@ -229,13 +232,23 @@ impl CharacterSearch {
 
     /// The animator chooses a take to look at.
     pub(super) fn pick(&mut self, id: TakeId) {
-        let known = self.search.alternatives().into_iter().map(|solution| solution.path);
-        let seen = self.seen.iter().find(|(seen, _)| *seen == id).map(|(_, path)| path.clone());
-        let path = seen
-            .or_else(|| known.chain(self.pinned.iter().cloned()).find(|path| self.id(path) == id));
-        if let Some(path) = path {
+        if let Some(path) = self.path_of(id) {
             self.show(path, false);
         }
+    }
+
+    /// Looks for takes that share much with this one.
+    pub(super) fn more_like(&mut self, id: TakeId) {
+        if let Some(path) = self.path_of(id) {
+            self.kindred.begin(path);
+            self.news.2 = self.search.progress().iteration;
+        }
+    }
+
+    fn path_of(&self, id: TakeId) -> Option<Path> {
+        let known = self.search.alternatives().into_iter().map(|solution| solution.path);
+        let seen = self.seen.iter().find(|(seen, _)| *seen == id).map(|(_, path)| path.clone());
+        seen.or_else(|| known.chain(self.pinned.iter().cloned()).find(|path| self.id(path) == id))
     }
 
     /// Whether the best take is shown whenever there is a better one.
@@ -253,7 +266,9 @@ impl CharacterSearch {
     /// Whether nothing new has come for long.
     pub(super) fn is_settled(&self) -> bool {
         let iteration = self.search.progress().iteration;
-        iteration >= self.news.2 + SETTLED_AFTER && !self.is_refining()
+        iteration >= self.news.2 + SETTLED_AFTER
+            && !self.is_refining()
+            && !self.kindred.is_looking()
     }
 
     /// Whether the shown take may still be gained on since the last edit.
@@ -265,6 +280,9 @@ impl CharacterSearch {
     pub(super) fn round(&mut self, cancel: &CancelToken) -> bool {
         if !self.search.step(cancel) {
             return false;
+        }
+        if let Some((child, of)) = self.kindred.step(&self.search, cancel) {
+            self.lineage.note(self.id(&child), self.id(&of));
         }
         for solution in self.search.alternatives() {
             if let Some(parent) = &solution.improves {
@@ -310,6 +328,7 @@ impl CharacterSearch {
         if !only_shown {
             paths.extend(self.search.alternatives().into_iter().map(|solution| solution.path));
             paths.extend(self.pinned.iter().cloned());
+            paths.extend(self.kindred.paths(&self.search));
         }
         let assembler = self.ready.assembler();
         for path in paths {
@@ -351,7 +370,9 @@ impl CharacterSearch {
         let iterations = self.search.progress().iteration;
         let shown = self.shown.iter().map(|shown| (shown.path.clone(), iterations));
         let pinned = self.pinned.iter().map(|path| (path.clone(), 0));
-        for (path, found_in) in found.chain(shown).chain(pinned) {
+        let kindred = self.kindred.paths(&self.search).map(|path| (path, iterations));
+        let kindred: Vec<(Path, u64)> = kindred.collect();
+        for (path, found_in) in found.chain(shown).chain(pinned).chain(kindred) {
             let id = self.id(&path);
             if takes.iter().all(|take| take.id != id) {
                 takes.push(self.take(&path, id, found_in));
@@ -483,4 +504,4 @@ impl CharacterSearch {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

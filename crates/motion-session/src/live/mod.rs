@@ -5,6 +5,7 @@
 //! through mailboxes with room for the latest one.
 
 mod character_search;
+mod kindred;
 mod layers;
 mod lineage;
 pub(crate) mod mailbox;
@@ -110,6 +111,15 @@ impl LiveSearch {
     pub fn pick(&mut self, character: CharacterIdx, take: TakeId) {
         let n_picks = self.wish.picks.get(&character).map_or(0, |pick| pick.nth) + 1;
         self.wish.picks.insert(character, Pick { nth: n_picks, take });
+        self.send();
+    }
+
+    /// Looks for takes that share much with one, and goes on if it was paused. What is found are
+    /// takes like all others, made of that one.
+    pub fn more_like(&mut self, character: CharacterIdx, take: TakeId) {
+        let n_likes = self.wish.likes.get(&character).map_or(0, |like| like.nth) + 1;
+        self.wish.likes.insert(character, Pick { nth: n_likes, take });
+        self.wish.is_paused = false;
         self.send();
     }
 

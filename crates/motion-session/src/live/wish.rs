@@ -18,11 +18,13 @@ pub(super) struct Wish {
     pub(super) is_paused: bool,
     pub(super) n_shakes: u64,
     pub(super) picks: BTreeMap<CharacterIdx, Pick>,
+    /// Takes that more like them are wished for.
+    pub(super) likes: BTreeMap<CharacterIdx, Pick>,
     pub(super) follow_best: bool,
     pub(super) is_over: bool,
 }
 
-/// A take to be shown; `nth` grows with every pick.
+/// A take that was chosen; `nth` grows with every choice.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pick {
     pub(super) nth: u64,

@@ -73,6 +73,7 @@ struct Seat {
     refusal: Option<String>,
     remarks: Vec<String>,
     n_picks: u64,
+    n_likes: u64,
 }
 
 impl Worker {
@@ -94,6 +95,12 @@ impl Worker {
             {
                 search.pick(pick.take);
                 seat.n_picks = pick.nth;
+            }
+            if let Some(like) = self.wish.likes.get(&CharacterIdx(nth))
+                && like.nth != seat.n_likes
+            {
+                search.more_like(like.take);
+                seat.n_likes = like.nth;
             }
             search.follow_best(self.wish.follow_best);
         }

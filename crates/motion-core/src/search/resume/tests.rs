@@ -144,3 +144,20 @@ fn shaking_keeps_what_was_found() {
     run(&mut search, 1);
     assert!(search.progress().best <= before[0].score);
 }
+
+#[test]
+fn varied_paths_are_other_paths_and_the_same_every_time() {
+    let library = library();
+    let mut search =
+        Search::new(Arc::clone(&library), problem(1.0, LengthMode::Preferred), 1).unwrap();
+    run(&mut search, 12);
+    let path = search.alternatives()[0].path.clone();
+    let varied = |search: &Search| -> Vec<Path> {
+        (0..40).filter_map(|nth| search.varied(&path, nth)).map(|found| found.path).collect()
+    };
+    let first = varied(&search);
+    assert!(first.len() > 5, "{} of 40 draws fit", first.len());
+    assert!(first.iter().all(|other| *other != path && other.is_valid(library.graph())));
+    run(&mut search, 3);
+    assert_eq!(varied(&search), first, "it does not depend on how far the search is");
+}

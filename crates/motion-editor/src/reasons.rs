@@ -1,0 +1,168 @@
+//! Why a take costs what it costs: each constraint and each cut, the dearest first.
+
+use motion_session::document::ConstraintRef;
+use motion_session::{ConstraintKind, ConstraintReport};
+
+use crate::mark::Mark;
+use crate::take_card::TakeCard;
+
+/// A cost of 1 is so much off: metres, degrees, frames (docs/search.md).
+const TOLERANCES: [f64; 3] = [0.30, 10.0, 10.0];
+
+/// What a constraint costs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstraintReason {
+    /// Which.
+    pub at: ConstraintRef,
+    /// What it is called.
+    pub title: String,
+    /// When.
+    pub frame: usize,
+    /// What it asks, in words.
+    pub wish: String,
+    /// How far off the clips are as they were found; `None` where it is not considered.
+    pub before: Option<String>,
+    /// How far off the motion is after correction.
+    pub after: Option<String>,
+    /// What it adds to the score.
+    pub cost: f64,
+    /// The share of the score, 0 to 1.
+    pub share: f64,
+}
+
+/// What a cut costs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutReason {
+    /// The first frame after it.
+    pub frame: usize,
+    /// The clip and the frame before it.
+    pub from: String,
+    /// The clip and the frame after it.
+    pub to: String,
+    /// What it adds to the score.
+    pub cost: f64,
+    /// The share of the score, 0 to 1.
+    pub share: f64,
+    /// Whether it joins what is not alike.
+    pub is_bridge: bool,
+}
+
+/// What each constraint adds to a take's score, the most first. `body_weight` is the project's
+/// factor of body constraints.
+pub fn constraint_reasons(
+    take: &TakeCard,
+    marks: &[Mark],
+    body_weight: f64,
+) -> Vec<ConstraintReason> {
+    let words = |mark: &Mark, report: &ConstraintReport| {
+        Mark { miss: Some(report.clone()), ..mark.clone() }.miss_text()
+    };
+    let reason = |mark: &Mark| {
+        let find = |all: &[ConstraintReport]| {
+            all.iter().find(|report| report.constraint == mark.constraint.id).cloned()
+        };
+        let (before, after) = (find(&take.lane.raw_misses), find(&take.lane.misses));
+        let weight = mark.constraint.weight.unwrap_or(1.0) * body_weight;
+        let cost = before.as_ref().map_or(0.0, squared) * weight;
+        ConstraintReason {
+            at: mark.at.clone(),
+            title: mark.title(),
+            frame: mark.frame(),
+            wish: wish_of(mark),
+            before: before.map(|report| words(mark, &report)),
+            after: after.map(|report| words(mark, &report)),
+            cost,
+            share: share(cost, take.score),
+        }
+    };
+    let mut reasons: Vec<ConstraintReason> = marks.iter().map(reason).collect();
+    reasons.sort_by(|a, b| b.cost.total_cmp(&a.cost));
+    reasons
+}
+
+/// What each cut adds to a take's score, the most first.
+pub fn cut_reasons(take: &TakeCard) -> Vec<CutReason> {
+    let lane = &take.lane;
+    let sum: f64 = lane.cuts.iter().map(|cut| cut.cost).sum();
+    let reason = |(nth, cut): (usize, &crate::take_card::Cut)| {
+        let (before, after) = (lane.pieces.get(nth)?, lane.pieces.get(nth + 1)?);
+        let cost = if sum > 0.0 { take.terms[0] * cut.cost / sum } else { 0.0 };
+        Some(CutReason {
+            frame: cut.frame,
+            from: format!("{}:{}", before.clip, before.of_clip.1),
+            to: format!("{}:{}", after.clip, after.of_clip.0),
+            cost,
+            share: share(cost, take.score),
+            is_bridge: cut.is_bridge,
+        })
+    };
+    let mut reasons: Vec<CutReason> = lane.cuts.iter().enumerate().filter_map(reason).collect();
+    reasons.sort_by(|a, b| b.cost.total_cmp(&a.cost));
+    reasons
+}
+
+/// A cost as one distance that would cost as much, centimetres.
+pub fn as_cm(cost: f64) -> f64 {
+    100.0 * TOLERANCES[0] * cost.max(0.0).sqrt()
+}
+
+fn share(cost: f64, score: f64) -> f64 {
+    if score.is_finite() && score > 0.0 { (cost / score).clamp(0.0, 1.0) } else { 0.0 }
+}
+
+/// The sum of squares in tolerances.
+fn squared(report: &ConstraintReport) -> f64 {
+    let frames = report.frame_error.map(|frames| frames as f64);
+    let parts = [report.position_error_m, report.heading_error_deg, frames];
+    let each = parts.iter().zip(TOLERANCES).map(|(part, one)| (part.unwrap_or(0.0) / one).powi(2));
+    each.sum()
+}
+
+fn wish_of(mark: &Mark) -> String {
+    match &mark.constraint.kind {
+        ConstraintKind::Body { position_m: [x, z], heading_deg, .. } => {
+            let heading = heading_deg.map(|deg| format!(", heading {deg:.0}°"));
+            format!("be at x {x:.2} m, z {z:.2} m{}", heading.unwrap_or_default())
+        }
+        ConstraintKind::Joint { joint, position_m: [x, y, z], .. } => {
+            format!("have {joint} at x {x:.2} m, y {y:.2} m, z {z:.2} m")
+        }
+        ConstraintKind::Pose { clip, clip_frame, .. } => {
+            format!("be in the pose {clip}:{clip_frame}")
+        }
+        ConstraintKind::Style { from, to, tag } => format!("move as {tag} from f {from} to f {to}"),
+        ConstraintKind::Path { from, to, .. } => format!("follow a path from f {from} to f {to}"),
+        ConstraintKind::Lock { from, to, pieces } => {
+            let n = pieces.len();
+            format!("keep {n} {} from f {from} to f {to}", if n == 1 { "piece" } else { "pieces" })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cost_of_one_is_one_tolerance() {
+        let report = |metres, degrees, frames| ConstraintReport {
+            position_error_m: Some(metres),
+            heading_error_deg: Some(degrees),
+            frame_error: Some(frames),
+            ..ConstraintReport::default()
+        };
+        for (metres, degrees, frames, expected) in [
+            (0.0, 0.0, 0, 0.0),
+            (0.3, 0.0, 0, 1.0),
+            (0.0, 10.0, 0, 1.0),
+            (0.0, 0.0, -10, 1.0),
+            (0.6, 0.0, 0, 4.0),
+            (0.3, 10.0, 10, 3.0),
+        ] {
+            assert!((squared(&report(metres, degrees, frames)) - expected).abs() < 1e-9);
+        }
+        assert_eq!(squared(&ConstraintReport::default()), 0.0);
+        assert!((as_cm(1.0) - 30.0).abs() < 1e-9 && (as_cm(4.0) - 60.0).abs() < 1e-9);
+        assert_eq!((share(2.0, 8.0), share(1.0, f64::INFINITY), share(1.0, 0.0)), (0.25, 0.0, 0.0));
+    }
+}

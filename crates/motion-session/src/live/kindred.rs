@@ -124,12 +124,12 @@ pub(crate) fn shared(graph: &MotionGraph, a: &Path, b: &Path) -> f64 {
 mod tests {
     use super::*;
     use crate::live::character_search::CharacterSearch;
-    use crate::live::character_search::tests::{asked_walk, rounds};
+    use crate::live::character_search::tests::{rounds, search};
 
     #[test]
     fn more_like_this_are_new_takes_that_share_half_and_descend_from_it() {
         let found = || {
-            let mut search = asked_walk();
+            let mut search = search();
             rounds(&mut search, 30);
             let liked = search.snapshot().takes[1].clone();
             let before: HashSet<_> = search.snapshot().takes.iter().map(|t| t.id).collect();

@@ -17,7 +17,7 @@ fn asked(document: &Document) -> CharacterProblem {
     problem_of(&project, &project.characters[0], &library, true, FilePath::new("p")).unwrap()
 }
 
-pub(in crate::live) fn asked_walk() -> CharacterSearch {
+pub(in crate::live) fn search() -> CharacterSearch {
     CharacterSearch::new(ready_library(), asked(&walk_to(0.8, 4.0)), 1, &[]).unwrap()
 }
 
@@ -41,7 +41,7 @@ fn shown(search: &mut CharacterSearch) -> Take {
 
 #[test]
 fn at_first_the_best_is_shown_until_it_is_acceptable() {
-    let mut search = asked_walk();
+    let mut search = search();
     let mut n_changes = 0;
     let mut last = None;
     for _ in 0..FIRST_ROUNDS_AT_MOST {
@@ -60,7 +60,7 @@ fn at_first_the_best_is_shown_until_it_is_acceptable() {
 
 #[test]
 fn then_it_changes_only_by_choice_and_what_is_better_is_a_badge() {
-    let mut search = asked_walk();
+    let mut search = search();
     rounds(&mut search, 2);
     let worst = search.snapshot().takes.last().unwrap().id;
     search.pick(worst);
@@ -78,7 +78,7 @@ fn then_it_changes_only_by_choice_and_what_is_better_is_a_badge() {
 
 #[test]
 fn after_a_hundred_drags_the_shown_take_descends_from_the_picked_one() {
-    let mut search = asked_walk();
+    let mut search = search();
     rounds(&mut search, 20);
     let picked = search.snapshot().takes.last().unwrap().id;
     search.pick(picked);
@@ -105,7 +105,7 @@ fn after_a_hundred_drags_the_shown_take_descends_from_the_picked_one() {
 
 #[test]
 fn back_at_earlier_constraints_their_takes_are_there_at_once() {
-    let mut search = asked_walk();
+    let mut search = search();
     rounds(&mut search, 30);
     let second = search.snapshot().takes[1].id;
     search.pick(second);
@@ -129,7 +129,7 @@ fn back_at_earlier_constraints_their_takes_are_there_at_once() {
 
 #[test]
 fn scores_are_those_of_a_search_that_begins_with_the_same_paths() {
-    let mut search = asked_walk();
+    let mut search = search();
     rounds(&mut search, 10);
     drag_to(&mut search, 2.0, Passing::Not);
     let snapshot = search.snapshot();
@@ -148,7 +148,7 @@ fn scores_are_those_of_a_search_that_begins_with_the_same_paths() {
 
 #[test]
 fn motions_are_made_the_shown_one_first_and_are_stale_after_an_edit() {
-    let mut search = asked_walk();
+    let mut search = search();
     rounds(&mut search, 10);
     let last = search.snapshot().takes.last().unwrap().id;
     search.pick(last);
@@ -171,7 +171,7 @@ fn motions_are_made_the_shown_one_first_and_are_stale_after_an_edit() {
 
 #[test]
 fn kept_takes_are_always_there() {
-    let mut search = asked_walk();
+    let mut search = search();
     rounds(&mut search, 1);
     let worst = search.snapshot().takes.last().unwrap().clone();
     let path = search.ready.path(&worst.pieces).unwrap();

@@ -97,7 +97,7 @@ fn words(search: &SearchState, state: &EditorState) -> String {
         SearchState::Ready => "Ready".to_owned(),
         SearchState::Searching => format!("Searching{found}{gain}"),
         SearchState::Paused => format!("Paused{found}"),
-        SearchState::Settled => format!("Settled{found}{gain}"),
+        SearchState::Settled => format!("Settled{found}"),
         SearchState::Infeasible(_) => format!("Cannot be met{found}"),
         SearchState::Error(_) => "No search".to_owned(),
     }

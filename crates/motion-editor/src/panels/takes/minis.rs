@@ -31,11 +31,20 @@ struct Mini {
 }
 
 impl Minis {
-    /// The picture of a take; of its motion before the last edit while there is none of this one.
-    pub fn of(&self, card: &TakeCard) -> Option<TextureId> {
-        let is = |mini: &&Mini| is_of(mini, card);
-        let own = self.known.iter().find(is);
-        own.or_else(|| self.known.iter().find(|mini| mini.id == card.id)).map(|mini| mini.texture)
+    /// The picture of a take; while there is none of its motion, of the motion that it came from.
+    pub fn of(&self, card: &TakeCard, cards: &[TakeCard]) -> Option<TextureId> {
+        self.own(card).or_else(|| self.stand_in(card, cards)).map(|mini| mini.texture)
+    }
+
+    fn own(&self, card: &TakeCard) -> Option<&Mini> {
+        self.known.iter().find(|mini| is_of(mini, card))
+    }
+
+    /// The take before an edit, or the one that this was made of: it has left its hue.
+    fn stand_in(&self, card: &TakeCard, cards: &[TakeCard]) -> Option<&Mini> {
+        let is_gone = |mini: &&Mini| cards.iter().all(|card| card.id != mini.id);
+        let same = self.known.iter().find(|mini| mini.id == card.id);
+        same.or_else(|| self.known.iter().filter(is_gone).find(|mini| mini.hue == card.hue))
     }
 
     /// How many there are.
@@ -48,11 +57,12 @@ impl Minis {
         self.known.is_empty()
     }
 
-    /// Draws one that is missing, and lets go of those that no card has. Gives whether more are
-    /// missing.
+    /// Draws one that is missing, the shown take's first, and lets go of those that no card has.
+    /// Gives whether more are missing.
     pub fn keep_up(
         &mut self,
         cards: &[TakeCard],
+        shown: Option<TakeId>,
         canvas: &mut Canvas,
         theme: Theme,
         pixels_per_point: f32,
@@ -62,22 +72,19 @@ impl Minis {
             self.known.drain(..).for_each(|mini| canvas.free(mini.texture));
         }
         let missing: Vec<&TakeCard> =
-            cards.iter().filter(|card| !self.known.iter().any(|mini| is_of(mini, card))).collect();
-        if let Some(card) = missing.first() {
+            cards.iter().filter(|card| self.own(card).is_none()).collect();
+        let of_shown = missing.iter().find(|card| Some(card.id) == shown);
+        if let Some(card) = of_shown.or(missing.first()) {
             let (scene, camera) = mini(&card.actor, card.hue, theme);
             canvas.set_model(card.actor.figure.mesh, &card.actor.figure.model);
             let texture = canvas.still(&scene, camera, MINI_PT, scale);
             let motion = Arc::clone(&card.actor.motion);
             self.known.push(Mini { id: card.id, hue: card.hue, motion, texture });
         }
-        // A picture from before the last edit stays until there is one from after it.
-        let newer: Vec<TakeId> =
-            self.known.iter().filter(|m| cards.iter().any(|c| is_of(m, c))).map(|m| m.id).collect();
+        let picture = |card: &TakeCard| self.of(card, cards);
+        let wanted: Vec<TextureId> = cards.iter().filter_map(picture).collect();
         self.known.retain(|mini| {
-            let has_own = cards.iter().any(|card| is_of(mini, card));
-            let stands_in =
-                cards.iter().any(|card| card.id == mini.id) && !newer.contains(&mini.id);
-            let stays = has_own || stands_in;
+            let stays = wanted.contains(&mini.texture);
             if !stays {
                 canvas.free(mini.texture);
             }

@@ -45,14 +45,9 @@ impl TakesPanel {
         state: &EditorState,
     ) {
         // While something is dragged there is a new motion many times a second.
-        if let Some(canvas) = canvas.filter(|_| !state.is_in_gesture())
-            && self.minis.keep_up(
-                &state.cards,
-                canvas,
-                state.settings.theme,
-                ctx.pixels_per_point(),
-            )
-        {
+        let Some(canvas) = canvas.filter(|_| !state.is_in_gesture()) else { return };
+        let (theme, scale) = (state.settings.theme, ctx.pixels_per_point());
+        if self.minis.keep_up(&state.cards, state.shown(), canvas, theme, scale) {
             ctx.request_repaint();
         }
     }
@@ -87,7 +82,7 @@ impl TakesPanel {
         let scrolled = scrolled.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = theme::GRID;
             for take in &cards {
-                let around = Around { worst, mini: self.minis.of(take) };
+                let around = Around { worst, mini: self.minis.of(take, &cards) };
                 card::card_ui(ui, take, &around, state);
             }
         });

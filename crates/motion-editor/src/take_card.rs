@@ -220,8 +220,11 @@ fn lane_of(made: &Made, actor: &Actor) -> Lane {
     }
 }
 
+/// Stretches of frames of each foot.
+type Feet = [Vec<Range<usize>>; 2];
+
 /// When each foot is planted, and when it slides or sinks meanwhile.
-fn feet_of(actor: &Actor) -> ([Vec<Range<usize>>; 2], [Vec<Range<usize>>; 2]) {
+fn feet_of(actor: &Actor) -> (Feet, Feet) {
     let fps = actor.motion.fps();
     let feet = Side::BOTH.map(|side| {
         let Some(toe) = contacts::toe_joint(&actor.skeleton, side) else {

@@ -85,9 +85,10 @@ pub fn path_errors_m(root_m: &[Vec3], marks: &[Mark]) -> Vec<f32> {
         let ConstraintKind::Path { from, to, points_m } = &mark.constraint.kind else { continue };
         let points: Vec<Vec2> =
             points_m.iter().map(|[x, z]| Vec2::new(*x as f32, *z as f32)).collect();
-        for frame in *from as usize..=(*to as usize).min(root_m.len().saturating_sub(1)) {
-            let Some(at) = root_m.get(frame) else { break };
-            errors[frame] = distance(Vec2::new(at.x, at.z), &points);
+        let n = (*to as usize + 1).saturating_sub(*from as usize);
+        let wished = errors.iter_mut().zip(root_m).skip(*from as usize).take(n);
+        for (error, at) in wished {
+            *error = distance(Vec2::new(at.x, at.z), &points);
         }
     }
     errors

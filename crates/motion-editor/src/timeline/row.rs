@@ -53,6 +53,6 @@ pub fn name_ui(
             }
             response.on_hover_cursor(CursorIcon::PointingHand);
         }
-        _ => drop(painter.galley(at, words, palette.faint)),
+        _ => painter.galley(at, words, palette.faint),
     }
 }

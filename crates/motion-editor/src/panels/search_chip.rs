@@ -40,7 +40,10 @@ pub fn search_chip_ui(ui: &mut Ui, state: &mut EditorState) {
     }
     words_ui(ui, state);
     ui.add_space(2.0 * theme::GRID);
-    better_ui(ui, state);
+    // Beside the takes it stands over them.
+    if !state.settings.right.open {
+        better_ui(ui, state);
+    }
 }
 
 /// What is said, with a sign before it.

@@ -9,6 +9,15 @@ use crate::mark::Mark;
 use crate::timeline::retime::{Grab, Part};
 
 impl EditorState {
+    /// Frames that the timeline has room for: of the shown motion, and of all that is asked beyond.
+    pub fn n_frames_asked(&self) -> usize {
+        let last = self.marks.iter().map(|mark| mark.span().1 as usize + 1).max();
+        let character = self.session.document().character(self.session.active());
+        let length = character.and_then(|character| character.length.as_ref()?.frames);
+        let asked = last.unwrap_or_default().max(length.unwrap_or_default() as usize);
+        self.n_frames().max(asked)
+    }
+
     /// The selected constraints of the active character, by frame.
     pub fn selected_marks(&self) -> impl Iterator<Item = &Mark> {
         self.marks.iter().filter(|mark| self.is_selected(&mark.at))

@@ -111,7 +111,7 @@ impl Drag {
         }
         let beyond = (at.x - lanes.right()).max(0.0) + (at.x - lanes.left()).min(0.0);
         if beyond != 0.0 {
-            let n_frames = state.n_frames().max(axis.last_in_view() as usize);
+            let n_frames = state.n_frames_asked().max(axis.last_in_view() as usize);
             axis.pan(-beyond * PAN_PER_SEC * dt.min(0.1), n_frames);
             ui.ctx().request_repaint();
         }

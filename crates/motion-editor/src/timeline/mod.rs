@@ -99,7 +99,7 @@ impl TimelinePanel {
         let lanes = panel.with_min_x(panel.left() + NAMES_PT);
         let strip = lanes.with_max_y((lanes.top() + ruler::HEIGHT_PT).min(lanes.bottom()));
         let window = panel.with_min_y(strip.bottom());
-        let axis = self.axis_for(lanes, state.n_frames());
+        let axis = self.axis_for(lanes, state.n_frames_asked());
         let layout = Layout::new(rows_of(state), &state.marks, window, self.scroll_pt);
         let max_scroll = layout.max_scroll_pt(window);
         self.has_pointer = ui.rect_contains_pointer(panel);

@@ -19,7 +19,7 @@ pub fn navigate_ui(
     can_scroll: bool,
     state: &EditorState,
 ) -> f32 {
-    let n_frames = state.n_frames();
+    let n_frames = state.n_frames_asked();
     if state.is_playing() {
         axis.reveal(state.frame());
     }

@@ -49,7 +49,8 @@ pub use session::Session;
 // What a window must be able to name, though files are none of its business.
 pub use motion_io::diagnostic::{FileError, Warnings};
 pub use motion_io::project_file::{
-    Constraint, ConstraintKind, LengthMode, LockedPiece, Palette, Project, load as load_project,
+    Constraint, ConstraintKind, LengthMode, LockedPiece, Palette, Project, Tolerance,
+    load as load_project,
 };
 pub use motion_io::report_file::{AlternativeReport, ConstraintReport, SeamReport};
 

@@ -9,4 +9,5 @@ mod path_dialog;
 mod takes;
 mod timeline;
 mod timeline_cost;
+mod tools;
 mod window;

@@ -197,13 +197,18 @@ pub fn pressed(ctx: &egui::Context) -> Vec<UiCommand> {
         let m = shortcut.modifiers;
         std::cmp::Reverse(u8::from(m.shift) + u8::from(m.alt) + u8::from(m.ctrl))
     });
-    ctx.input_mut(|input| {
+    let commands: Vec<UiCommand> = ctx.input_mut(|input| {
         input.events.iter_mut().for_each(digit_again);
         keys.iter()
             .filter(|(shortcut, _)| !is_of_widget(shortcut) && input.consume_shortcut(shortcut))
             .map(|(_, command)| *command)
             .collect()
-    })
+    });
+    if commands.contains(&UiCommand::FlipTakes) {
+        // The same key would light the first button.
+        ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+    }
+    commands
 }
 
 /// With Shift the row of digits has other letters, another set in every country: what counts is

@@ -30,8 +30,10 @@ pub fn overlay_ui(ui: &Ui, rect: Rect, state: &EditorState, fps: Option<f32>) {
         line(&text, &theme::caption(), palette.faint);
     }
     let hint = match state.settings.navigation {
-        Navigation::Blender => "Drag: orbit   Shift+drag: pan   Wheel: zoom   F: frame all",
-        Navigation::Industry => "Alt+drag: orbit   Middle: pan   Wheel: zoom   F: frame all",
+        Navigation::Blender => "Drag: orbit   Shift+drag: pan   Wheel: zoom   F: frame   `: views",
+        Navigation::Industry => {
+            "Alt+drag: orbit   Middle: pan   Right: fly   Wheel: zoom   F: frame"
+        }
     };
     let corner = Pos2::new(rect.left() + INSET_PT, rect.bottom() - INSET_PT);
     ui.painter().text(corner, Align2::LEFT_BOTTOM, hint, theme::caption(), palette.faint);

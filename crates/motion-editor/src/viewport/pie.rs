@@ -8,7 +8,7 @@ use crate::theme;
 use crate::ui_command::UiCommand as C;
 
 /// From the middle to a view, points.
-const REACH: Vec2 = Vec2::new(112.0, 62.0);
+const REACH: Vec2 = Vec2::new(124.0, 84.0);
 
 /// The views, with where they are around the middle: as the picture would turn.
 const VIEWS: [(C, &str, f32, f32); 7] = [
@@ -16,9 +16,9 @@ const VIEWS: [(C, &str, f32, f32); 7] = [
     (C::ViewFront, "Front", 0.0, 1.0),
     (C::ViewLeft, "Left", -1.0, 0.0),
     (C::ViewRight, "Right", 1.0, 0.0),
-    (C::ViewBack, "Back", 0.72, -0.72),
-    (C::ViewThreeQuarter, "Three-quarter", -0.72, 0.72),
-    (C::Perspective, "Perspective", 0.72, 0.72),
+    (C::ViewBack, "Back", 0.8, -0.5),
+    (C::ViewThreeQuarter, "Three-quarter", -0.8, 0.5),
+    (C::Perspective, "Perspective", 0.8, 0.5),
 ];
 
 /// Draws the views around `at`. Gives whether it stays open.

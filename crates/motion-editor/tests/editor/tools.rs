@@ -239,16 +239,13 @@ fn the_wheel_with_ctrl_retimes_as_one_step() {
     assert!(harness.state().state.hovered.is_some(), "the ring is under the pointer");
     let camera = harness.state().viewport.camera;
     for _ in 0..3 {
-        harness.event_modifiers(
-            Event::MouseWheel {
-                unit: egui::MouseWheelUnit::Line,
-                delta: Vec2::new(0.0, 1.0),
-                phase: egui::TouchPhase::Move,
-                source: egui::MouseWheelSource::Wheel,
-                modifiers: Modifiers::CTRL,
-            },
-            Modifiers::CTRL,
-        );
+        harness.event(Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Line,
+            delta: Vec2::new(0.0, 1.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Wheel,
+            modifiers: Modifiers::CTRL,
+        });
         harness.step();
     }
     harness.run_steps(8);

@@ -120,8 +120,9 @@ pub fn text_row_ui(ui: &mut Ui, name: &str, value: &str) -> Option<String> {
                 let is_escaped = ui.input(|input| input.key_pressed(egui::Key::Escape));
                 changed = (!is_escaped && text != value).then(|| text.clone());
             }
+            let is_typed_in = response.has_focus();
             ui.data_mut(|data| {
-                if response.has_focus() {
+                if is_typed_in {
                     data.insert_temp(id, text.clone());
                 } else {
                     data.remove::<String>(id);

@@ -165,9 +165,8 @@ impl Gesture {
         }
         self.aim_ui(ui, sight, &mouse, state);
         let mut claim = Claim { wheel: self.is_posing, button: false, click: false };
-        if is_over && !self.is_posing {
-            claim.wheel = retime::retime_ui(ui, &mut self.retime, state);
-        }
+        let is_retiming = is_over && !self.is_posing;
+        claim.wheel |= retime::retime_ui(ui, &mut self.retime, is_retiming, state);
         let doing = match doing {
             Doing::Nothing if mouse.is_pressed => self.press(sight, &mouse, state),
             doing => doing,

@@ -20,14 +20,19 @@ pub struct Retime {
 }
 
 /// Follows the wheel. Gives whether it was meant for a mark.
-pub fn retime_ui(ui: &egui::Ui, burst: &mut Option<Retime>, state: &mut EditorState) -> bool {
-    let (notches, _) = wheel::notches(ui);
-    let (now, is_held) = ui.input(|input| (input.time, input.modifiers.command));
+pub fn retime_ui(
+    ui: &egui::Ui,
+    burst: &mut Option<Retime>,
+    is_over: bool,
+    state: &mut EditorState,
+) -> bool {
+    let notches = if is_over { wheel::notches(ui).0 } else { 0.0 };
+    let (now, is_pressed) = ui.input(|input| (input.time, input.pointer.any_pressed()));
     if burst.is_some() && !state.is_in_gesture() {
         *burst = None;
     }
     if let Some(known) = burst
-        && (now > known.until_secs || (!is_held && notches == 0.0))
+        && (now > known.until_secs || is_pressed)
     {
         state.commit();
         *burst = None;

@@ -17,7 +17,7 @@ pub fn notches(ui: &Ui) -> (f32, f32) {
             };
             // With Shift systems scroll sideways.
             let sideways = if modifiers.shift && notches == 0.0 { delta.x } else { 0.0 };
-            let sum = if modifiers.command { &mut sums.0 } else { &mut sums.1 };
+            let sum = if modifiers.command || modifiers.ctrl { &mut sums.0 } else { &mut sums.1 };
             *sum += notches + sideways;
         }
         sums

@@ -483,15 +483,13 @@ impl ViewportPanel {
 }
 
 /// The few things that are switched in the view itself.
-const TOGGLES: [(&str, UiCommand); 8] = [
+const TOGGLES: [(&str, UiCommand); 6] = [
     (icons::SELECT, UiCommand::SelectTool),
     (icons::CHECKPOINT, UiCommand::CheckpointTool),
     (icons::JOINT_TARGET, UiCommand::JointTargetTool),
     (icons::POSE, UiCommand::PoseTool),
     (icons::FOLLOW, UiCommand::Follow),
-    (icons::TRAIL, UiCommand::Trail),
     (icons::GHOSTS, UiCommand::Ghosts),
-    (icons::FRAME, UiCommand::FrameAll),
 ];
 
 fn toggles_room(rect: Rect) -> Rect {

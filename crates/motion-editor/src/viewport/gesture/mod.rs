@@ -49,6 +49,7 @@ pub struct Gesture {
 }
 
 #[derive(Clone, Debug, Default)]
+#[expect(clippy::large_enum_variant, reason = "there is one of it")]
 enum Doing {
     #[default]
     Nothing,

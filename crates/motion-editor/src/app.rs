@@ -85,17 +85,12 @@ impl EditorApp {
     }
 
     fn do_commands(&mut self, ctx: &egui::Context) {
-        // What lies on top gets Escape before anything else.
-        let no_modifiers = egui::Modifiers::NONE;
-        if self.sheet_is_open
-            && ctx.input_mut(|input| input.consume_key(no_modifiers, egui::Key::Escape))
-        {
-            self.sheet_is_open = false;
-        }
-        self.viewport.take_keys(ctx, &mut self.state);
         let mut commands = self.state.take_commands();
-        // What asks is answered first.
-        if !self.files.is_asking() && !self.export.is_open() {
+        // What asks is answered first: keys are its own.
+        let is_asking = self.files.is_asking() || self.export.is_open() || self.palette.is_open();
+        if !is_asking {
+            self.close_on_escape(ctx);
+            self.viewport.take_keys(ctx, &mut self.state);
             commands.extend(self.timeline.pressed(ctx));
             commands.extend(pressed(ctx));
         }
@@ -122,6 +117,16 @@ impl EditorApp {
                 other if self.files.run(other, &mut self.state, ctx) => {}
                 other => self.viewport.run(other, ctx, &mut self.state),
             }
+        }
+    }
+
+    /// What lies on top gets Escape before anything else.
+    fn close_on_escape(&mut self, ctx: &egui::Context) {
+        let pages = [&mut self.sheet_is_open, &mut self.settings_are_open, &mut self.log_is_open];
+        let Some(page) = pages.into_iter().find(|is_open| **is_open) else { return };
+        let none = egui::Modifiers::NONE;
+        if ctx.input_mut(|input| input.consume_key(none, egui::Key::Escape)) {
+            *page = false;
         }
     }
 

@@ -10,6 +10,7 @@ use crate::dialogs::{Answer, Ask};
 use crate::files::FileFlow;
 use crate::state::EditorState;
 use crate::theme;
+use crate::widgets::dialog_frame;
 
 const WIDTH_PT: f32 = 420.0;
 /// Two joints nearer than this are at the same place to any program.
@@ -50,7 +51,7 @@ impl ExportDialog {
             return;
         }
         let mut chosen = None;
-        let modal = Modal::new(Id::unique("export")).show(ui.ctx(), |ui| {
+        let modal = Modal::new(Id::unique("export")).frame(dialog_frame(ui)).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH_PT);
             ui.label(RichText::new("Export motion").font(theme::title()));
             ui.add_space(theme::GRID);

@@ -112,7 +112,7 @@ impl FileFlow {
             (Ask::OpenProject, None) => {}
             (Ask::SaveProject { .. }, path) => {
                 let next = self.after_saving.take();
-                let Some(path) = path else { return None };
+                let path = path?;
                 match state.session.save_as(path) {
                     Ok(()) => self.saved(path, next, state, ctx),
                     Err(error) => state.notices.refuse(error.to_string()),

@@ -5,6 +5,7 @@ use egui::{Align, Button, Id, Key, Layout, Modal, RichText, Ui};
 use super::FileFlow;
 use crate::state::EditorState;
 use crate::theme;
+use crate::widgets::dialog_frame;
 
 const WIDTH_PT: f32 = 420.0;
 
@@ -26,15 +27,16 @@ impl FileFlow {
         let Some(next) = self.guarded.clone() else { return };
         let mut chosen = None;
         let name = state.session.document().name().to_owned();
-        let modal = Modal::new(Id::unique("unsaved work")).show(ui.ctx(), |ui| {
-            ui.set_width(WIDTH_PT);
-            ui.label(RichText::new(next.question()).font(theme::title()));
-            ui.add_space(theme::GRID);
-            let text = format!("“{name}” has changes that are in no file.");
-            ui.label(RichText::new(text).color(theme::of(ui).faint));
-            ui.add_space(4.0 * theme::GRID);
-            buttons_ui(ui, &["Save", "Discard changes", "Cancel"], &mut chosen);
-        });
+        let modal =
+            Modal::new(Id::unique("unsaved work")).frame(dialog_frame(ui)).show(ui.ctx(), |ui| {
+                ui.set_width(WIDTH_PT);
+                ui.label(RichText::new(next.question()).font(theme::title()));
+                ui.add_space(theme::GRID);
+                let text = format!("“{name}” has changes that are in no file.");
+                ui.label(RichText::new(text).color(theme::of(ui).faint));
+                ui.add_space(4.0 * theme::GRID);
+                buttons_ui(ui, &["Save", "Discard changes", "Cancel"], &mut chosen);
+            });
         let escaped = modal.should_close() || ui.input(|input| input.key_pressed(Key::Escape));
         match chosen {
             Some(0) => {
@@ -54,7 +56,7 @@ impl FileFlow {
     fn recovery_ui(&mut self, ui: &Ui, state: &mut EditorState) {
         let Some(recovery) = self.recoveries.first().cloned() else { return };
         let mut chosen = None;
-        Modal::new(Id::unique("recovered work")).show(ui.ctx(), |ui| {
+        Modal::new(Id::unique("recovered work")).frame(dialog_frame(ui)).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH_PT);
             ui.label(RichText::new("Go on with unsaved work?").font(theme::title()));
             ui.add_space(theme::GRID);

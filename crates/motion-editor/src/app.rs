@@ -19,7 +19,7 @@ use crate::panels::takes::TakesPanel;
 use crate::panels::{right_tab, status, top_bar};
 use crate::settings::Settings;
 use crate::settings_window::settings_window_ui;
-use crate::shortcut_sheet::shortcut_sheet_ui;
+use crate::shortcut_sheet::ShortcutSheet;
 use crate::state::{EditorOptions, EditorState};
 use crate::theme;
 use crate::timeline::TimelinePanel;
@@ -38,7 +38,7 @@ pub struct EditorApp {
     library: LibraryPanel,
     takes: TakesPanel,
     palette: CommandPalette,
-    sheet_is_open: bool,
+    sheet: ShortcutSheet,
     guide: Guide,
     settings_are_open: bool,
     log_is_open: bool,
@@ -70,7 +70,7 @@ impl EditorApp {
             library: LibraryPanel::default(),
             takes: TakesPanel::default(),
             palette: CommandPalette::default(),
-            sheet_is_open: false,
+            sheet: ShortcutSheet::default(),
             guide: Guide::default(),
             settings_are_open: false,
             log_is_open: false,
@@ -100,7 +100,7 @@ impl EditorApp {
             }
             match command {
                 UiCommand::Palette => self.palette.toggle(),
-                UiCommand::ShortcutSheet => self.sheet_is_open = !self.sheet_is_open,
+                UiCommand::ShortcutSheet => self.sheet.is_open = !self.sheet.is_open,
                 UiCommand::Export => self.export.open(),
                 UiCommand::ExportAgain => self.export.repeat(&mut self.state),
                 UiCommand::Settings => self.settings_are_open = !self.settings_are_open,
@@ -122,7 +122,7 @@ impl EditorApp {
 
     /// What lies on top gets Escape before anything else.
     fn close_on_escape(&mut self, ctx: &egui::Context) {
-        let pages = [&mut self.sheet_is_open, &mut self.settings_are_open, &mut self.log_is_open];
+        let pages = [&mut self.sheet.is_open, &mut self.settings_are_open, &mut self.log_is_open];
         let Some(page) = pages.into_iter().find(|is_open| **is_open) else { return };
         let none = egui::Modifiers::NONE;
         if ctx.input_mut(|input| input.consume_key(none, egui::Key::Escape)) {
@@ -256,7 +256,7 @@ impl eframe::App for EditorApp {
         if let Some(command) = self.palette.ui(ui, &self.state) {
             self.state.ask(command);
         }
-        shortcut_sheet_ui(ui, &mut self.sheet_is_open);
+        self.sheet.ui(ui);
         let view = self.viewport.rect();
         welcome_ui(ui, view, &mut self.state);
         self.guide.ui(ui, view, &mut self.state);

@@ -6,7 +6,7 @@ use egui::{TextEdit, WidgetInfo};
 use crate::icons;
 use crate::state::EditorState;
 use crate::theme;
-use crate::ui_command::UiCommand;
+use crate::ui_command::{UiCommand, key_text};
 
 const WIDTH_PT: f32 = 460.0;
 const LIST_PT: f32 = 320.0;
@@ -117,7 +117,7 @@ fn line_ui(ui: &mut Ui, command: UiCommand, is_chosen: bool, reveal: bool) -> bo
     painter.text(left, Align2::LEFT_CENTER, &label, theme::body(), palette.text);
     if let Some(key) = command.shortcut() {
         let right = Pos2::new(rect.right() - 8.0, rect.center().y);
-        let keys = ui.ctx().format_shortcut(&key);
+        let keys = key_text(&key);
         painter.text(right, Align2::RIGHT_CENTER, keys, theme::caption(), palette.faint);
     }
     response.clicked()

@@ -7,7 +7,7 @@ mod words;
 
 use motion_session::sample::SAMPLES;
 
-pub use keys::pressed;
+pub use keys::{key_text, pressed};
 
 use crate::settings::GhostMode;
 

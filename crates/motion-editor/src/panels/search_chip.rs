@@ -27,7 +27,7 @@ pub fn search_chip_ui(ui: &mut Ui, state: &mut EditorState) {
         (icons::SHAKE, C::Shake, C::Shake.label()),
         (icon, C::PauseSearch, format!("{words} the search")),
     ] {
-        let tooltip = described(ui, command);
+        let tooltip = described(command);
         if icon_button_ui(ui, icon, &label, &tooltip, false).clicked() {
             state.ask(command);
         }

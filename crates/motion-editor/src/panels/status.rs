@@ -15,8 +15,12 @@ pub fn status_ui(ui: &mut Ui, state: &EditorState, adapter: Option<&str>) {
         ui.label(small(hint(state)));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.add_space(theme::GRID);
-            ui.label(small(adapter.unwrap_or("nothing draws here").to_owned()));
-            ui.label(small(format!("{} navigation", navigation_name(state.settings.navigation))));
+            let scheme = navigation_name(state.settings.navigation);
+            let drawn_by = match adapter {
+                Some(adapter) => format!("Drawn by {adapter}"),
+                None => "Nothing draws here".to_owned(),
+            };
+            ui.label(small(format!("{scheme} navigation"))).on_hover_text(drawn_by);
         });
     });
 }

@@ -6,7 +6,7 @@ use super::search_chip;
 use crate::icons;
 use crate::state::EditorState;
 use crate::theme;
-use crate::ui_command::{UiCommand as C, menus};
+use crate::ui_command::{UiCommand as C, key_text, menus};
 use crate::viewport::described;
 use crate::widgets::icon_button::icon_button_ui;
 
@@ -33,7 +33,7 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
                 (icons::PANEL_BOTTOM, C::Timeline),
                 (icons::PANEL_LEFT, C::LeftPanel),
             ] {
-                let tooltip = described(ui, command);
+                let tooltip = described(command);
                 if icon_button_ui(ui, icon, &command.label(), &tooltip, false).clicked() {
                     state.ask(command);
                 }
@@ -61,7 +61,7 @@ fn menu_ui(ui: &mut Ui, groups: &[Vec<C>], state: &mut EditorState) {
         }
         for &command in group {
             let enabled = command.is_enabled(state);
-            let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key));
+            let key = command.shortcut().map(|key| key_text(&key));
             let tick = if command.is_on(state) == Some(true) { icons::DONE } else { "" };
             let tick = RichText::new(tick).color(theme::of(ui).accent);
             let mut button = Button::new((command.label(), tick));

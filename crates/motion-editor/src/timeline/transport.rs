@@ -30,7 +30,7 @@ pub fn transport_ui(ui: &mut Ui, state: &mut EditorState) {
         ];
         for (icon, command) in buttons {
             let is_on = command.is_on(state).unwrap_or_default();
-            let tooltip = described(ui, command);
+            let tooltip = described(command);
             let enabled = command.is_enabled(state);
             let response = ui
                 .add_enabled_ui(enabled, |ui| {
@@ -70,7 +70,7 @@ fn clock_ui(ui: &mut Ui, state: &mut EditorState) {
         let text = &rest.text[section.byte_range.start.0..section.byte_range.end.0];
         job.append(text, 0.0, section.format);
     }
-    let tooltip = described(ui, UiCommand::TimeUnit);
+    let tooltip = described(UiCommand::TimeUnit);
     let response = ui.add(egui::Label::new(job).selectable(false).sense(Sense::click()));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Clock"));
     if response.on_hover_text(tooltip).clicked() {

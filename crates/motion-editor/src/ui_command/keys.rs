@@ -179,6 +179,31 @@ impl UiCommand {
     }
 }
 
+/// A key with its modifiers as people write them: `Ctrl+Shift+Z`, `Alt+←`, `[`.
+pub fn key_text(shortcut: &KeyboardShortcut) -> String {
+    let m = shortcut.modifiers;
+    let held = [(m.ctrl || m.command, "Ctrl+"), (m.alt, "Alt+"), (m.shift, "Shift+")];
+    let held: String = held.iter().filter(|(is_held, _)| *is_held).map(|(_, text)| *text).collect();
+    let key = match shortcut.logical_key {
+        Key::ArrowLeft => "←",
+        Key::ArrowRight => "→",
+        Key::ArrowUp => "↑",
+        Key::ArrowDown => "↓",
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
+        Key::Backtick => "`",
+        Key::Comma => ",",
+        Key::Period => ".",
+        Key::Minus => "−",
+        Key::Equals => "=",
+        Key::Backslash => "\\",
+        Key::Pipe => "|",
+        Key::Escape => "Esc",
+        other => other.name(),
+    };
+    held + key
+}
+
 /// The commands whose keys are pressed now. Nothing while somebody types.
 pub fn pressed(ctx: &egui::Context) -> Vec<UiCommand> {
     if ctx.text_edit_focused() {

@@ -24,7 +24,7 @@ use crate::icons;
 use crate::settings::{Navigation, Tool};
 use crate::state::EditorState;
 use crate::theme;
-use crate::ui_command::{Nudge, Side, UiCommand};
+use crate::ui_command::{Nudge, Side, UiCommand, key_text};
 use crate::widgets::icon_button::icon_button_ui;
 use canvas::Canvas;
 use fly::{Flight, Fly};
@@ -507,7 +507,7 @@ fn toggles_ui(ui: &mut Ui, rect: Rect, state: &mut EditorState) {
     let mut column = ui.new_child(egui::UiBuilder::new().max_rect(place));
     for (icon, command) in TOGGLES {
         let is_on = command.is_on(state).unwrap_or_default();
-        let tooltip = described(ui, command);
+        let tooltip = described(command);
         if icon_button_ui(&mut column, icon, &command.label(), &tooltip, is_on).clicked() {
             state.ask(command);
         }
@@ -515,9 +515,9 @@ fn toggles_ui(ui: &mut Ui, rect: Rect, state: &mut EditorState) {
 }
 
 /// A command's tooltip with its key.
-pub fn described(ui: &Ui, command: UiCommand) -> String {
+pub fn described(command: UiCommand) -> String {
     match command.shortcut() {
-        Some(key) => format!("{} ({})", command.tooltip(), ui.ctx().format_shortcut(&key)),
+        Some(key) => format!("{} ({})", command.tooltip(), key_text(&key)),
         None => command.tooltip().to_owned(),
     }
 }

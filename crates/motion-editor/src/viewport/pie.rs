@@ -33,7 +33,7 @@ pub fn pie_ui(ui: &Ui, at: Pos2, within: Rect, state: &mut EditorState) -> bool 
         for (command, name, x, y) in VIEWS {
             let place =
                 Rect::from_center_size(at + Vec2::new(x, y) * REACH, Vec2::new(108.0, 26.0));
-            let tooltip = described(ui, command);
+            let tooltip = described(command);
             let button = Button::new(name).fill(palette.raised).frame(true);
             if ui.put(place, button).on_hover_text(tooltip).clicked() {
                 state.ask(command);

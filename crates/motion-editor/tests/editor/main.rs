@@ -6,6 +6,7 @@ mod device_loss;
 mod files;
 mod look;
 mod path_dialog;
+mod screens;
 mod takes;
 mod timeline;
 mod timeline_cost;

@@ -23,7 +23,7 @@ fn with_style() -> Option<Window> {
     quiet(&mut harness);
     let (character, tag) = (CharacterIdx(0), "run".to_owned());
     let style = Command::AddStyle { character, from: 20, to: 60, tag };
-    assert!(harness.state_mut().state.apply(&style));
+    assert!(harness.state_mut().state.apply(&style), "the style is one of the library's");
     harness.run_steps(2);
     Some(harness)
 }
@@ -88,7 +88,7 @@ fn wheel(harness: &mut Window, by: f32, modifiers: Modifiers) {
 /// How far apart frames are, points.
 fn pt_per_frame(harness: &Window) -> f32 {
     let panel = &harness.state().timeline;
-    let [a, b] = [400.0, 500.0].map(|x| panel.frame_at(x).unwrap());
+    let [a, b] = [400.0, 500.0].map(|x| panel.frame_at(x).expect("it was drawn"));
     (100.0 / (b - a)) as f32
 }
 

@@ -132,7 +132,7 @@ fn head_ui(ui: &mut Ui, state: &mut EditorState) {
         (icons::OVERLAY, UiCommand::Compare, CompareMode::Overlay),
     ] {
         let is_on = state.comparing.mode == mode;
-        let tooltip = described(&right, command);
+        let tooltip = described(command);
         if icon_button_ui(&mut right, icon, &command.label(), &tooltip, is_on).clicked() {
             state.ask(command);
         }
@@ -146,7 +146,7 @@ pub fn better_ui(ui: &mut Ui, state: &mut EditorState) {
     let text = RichText::new(better_text(percent)).font(theme::caption()).color(palette.text);
     let icon = RichText::new(icons::BETTER).font(theme::icon()).color(palette.accent);
     let button = egui::Button::new((icon, text)).fill(palette.accent_surface);
-    let response = ui.add(button).on_hover_text(described(ui, UiCommand::ShowBetter));
+    let response = ui.add(button).on_hover_text(described(UiCommand::ShowBetter));
     let label = format!("Show the better take, {percent:.0} % lower cost");
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
     if response.clicked() {

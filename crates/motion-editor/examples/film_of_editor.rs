@@ -15,11 +15,14 @@ use egui_kittest::kittest::Queryable as _;
 use motion_editor::app::EditorApp;
 use motion_editor::project_source::ProjectSource;
 use motion_editor::state::EditorOptions;
+use motion_editor::viewport::gesture::sight::Sight;
 
 type Window = Harness<'static, EditorApp>;
 
 /// Frames of the film per second.
 const FPS: f64 = 12.0;
+/// The frame that the new arrow is for.
+const FRAME: usize = 175;
 
 fn main() -> anyhow::Result<()> {
     let folder = std::env::args().nth(1).map(PathBuf::from).context("say where to write")?;
@@ -88,30 +91,47 @@ struct Film {
 impl Film {
     fn shoot(&mut self) -> anyhow::Result<()> {
         self.window.set_render_cursor(true);
-        self.window.state_mut().state.seek(0.0);
+        // Room for the view.
+        self.window.state_mut().state.settings.left.open = false;
+        self.window.run_steps(3);
+        self.window.key_press(Key::Home);
+        self.window.run_steps(8);
+        self.window.state_mut().state.seek(90.0);
         self.window.state_mut().state.play();
-        let view = self.window.get_by_label(motion_editor::viewport::LABEL).rect();
-        self.glide(view.lerp_inside(Vec2::new(0.62, 0.80)), 8)?;
+        // Between the corner and the end, beside the way.
+        let [from, aim, to] = [[1.9, 6.3], [3.0, 6.8], [3.1, 4.3]].map(|place| self.place(place));
+        let (from, aim, to) = (from?, aim?, to?);
+        self.glide(from, 10)?;
         self.window.key_press(Key::C);
+        self.window.state_mut().state.stop_at(FRAME);
         self.frames(3)?;
-        let at = view.lerp_inside(Vec2::new(0.62, 0.80));
-        self.button(at, true);
+        self.button(from, true);
         self.frames(1)?;
-        self.glide(at + Vec2::new(70.0, 6.0), 8)?;
-        self.button(at + Vec2::new(70.0, 6.0), false);
+        self.glide(aim, 7)?;
+        self.button(aim, false);
         self.frames(1)?;
         self.window.key_press(Key::Q);
-        self.frames(22)?;
-        // It is selected, so what is dragged is known to everybody.
-        self.glide(at, 6)?;
-        self.frames(3)?;
-        self.button(at, true);
+        self.frames(10)?;
+        self.glide(from, 5)?;
+        self.frames(2)?;
+        self.button(from, true);
         self.frames(1)?;
-        self.glide(at + Vec2::new(-190.0, -10.0), 20)?;
-        self.button(at + Vec2::new(-190.0, -10.0), false);
-        self.frames(26)?;
+        self.glide(to, 22)?;
+        self.button(to, false);
+        self.frames(4)?;
+        self.window.state_mut().state.seek(95.0);
+        self.window.state_mut().state.play();
+        self.glide(to + Vec2::new(120.0, 90.0), 5)?;
+        self.frames(42)?;
         eprintln!("{} frames", self.n_frames);
         Ok(())
+    }
+
+    /// Where a place on the floor, `[x, z]` in metres, is in the window.
+    fn place(&self, [x_m, z_m]: [f32; 2]) -> anyhow::Result<Pos2> {
+        let viewport = &self.window.state().viewport;
+        let sight = Sight { camera: viewport.camera, rect: viewport.rect() };
+        sight.place(glam::Vec3::new(x_m, 0.0, z_m)).context("the place is in view")
     }
 
     fn button(&self, pos: Pos2, pressed: bool) {

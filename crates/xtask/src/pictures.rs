@@ -2,6 +2,8 @@
 //! has built in, so that they show what it does today.
 
 use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 use anyhow::{Context as _, ensure};
 
@@ -26,6 +28,16 @@ const PICTURES: &[Picture] = &[
     Picture { name: "sample.gif", options: &["--size", "600x260", "--fps", "20"] },
 ];
 
+/// The editor at work, and a film of it.
+const EDITOR: &str = "editor.png";
+const FILM: &str = "editor.gif";
+/// What is alike from frame to frame is written once; few colours are enough for a window.
+const FILM_FILTER: &str = "scale=880:-1:flags=lanczos,split[a][b];\
+    [a]palettegen=max_colors=96:stats_mode=diff[p];\
+    [b][p]paletteuse=dither=none:diff_mode=rectangle";
+/// A window's picture has more in it.
+const MOST_BYTES_OF_EDITOR: u64 = 1_200_000;
+
 /// Draws all of them, in software, as every machine can.
 pub(crate) fn run() -> anyhow::Result<()> {
     let graphics = Graphics::find_or_install();
@@ -40,8 +52,37 @@ pub(crate) fn run() -> anyhow::Result<()> {
         }
         let status = command.status().context("cannot start cargo run")?;
         ensure!(status.success(), "{name} could not be made");
-        let bytes = fs::metadata(&path).with_context(|| path.display().to_string())?.len();
-        ensure!(bytes < MOST_BYTES, "{name} has {bytes} bytes; make it smaller");
+        check_size(&path, MOST_BYTES)?;
     }
+    film_editor(&folder, graphics.as_ref().ok())
+}
+
+/// Drives the editor as a person would. Its frames become a film by `ffmpeg`.
+fn film_editor(folder: &Path, graphics: Option<&Graphics>) -> anyhow::Result<()> {
+    let frames = root().join("target/film-of-editor");
+    // Frames of an earlier film that was longer.
+    drop(fs::remove_dir_all(&frames));
+    let mut command = cargo(&["run", "--release", "--locked", "--package", "motion-editor"]);
+    command.args(["--example", "film_of_editor", "--"]).arg(&frames);
+    if let Some(graphics) = graphics {
+        graphics.apply(&mut command);
+    }
+    ensure!(command.status().context("cannot start cargo run")?.success(), "no film was made");
+    let picture = folder.join(EDITOR);
+    fs::copy(frames.join(EDITOR), &picture).context("the editor's picture")?;
+    check_size(&picture, MOST_BYTES_OF_EDITOR)?;
+    let film = folder.join(FILM);
+    let mut ffmpeg = Command::new("ffmpeg");
+    ffmpeg.args(["-loglevel", "error", "-y", "-framerate", "12", "-i"]);
+    ffmpeg.arg(frames.join("frame-%03d.png")).args(["-vf", FILM_FILTER]).arg(&film);
+    let status = ffmpeg.status().context("the film of the editor needs ffmpeg; install it")?;
+    ensure!(status.success(), "ffmpeg made no film");
+    check_size(&film, MOST_BYTES_OF_EDITOR)
+}
+
+fn check_size(path: &Path, most: u64) -> anyhow::Result<()> {
+    let name = path.display();
+    let bytes = fs::metadata(path).with_context(|| name.to_string())?.len();
+    ensure!(bytes < most, "{name} has {bytes} bytes; make it smaller");
     Ok(())
 }

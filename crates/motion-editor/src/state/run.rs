@@ -4,6 +4,7 @@ use motion_scene::color::Theme;
 use motion_session::document::CharacterIdx;
 
 use super::{CompareMode, EditorState};
+use crate::panels::right_tab::RightTab;
 use crate::settings::{Navigation, Tool};
 use crate::ui_command::UiCommand as C;
 
@@ -127,6 +128,10 @@ impl EditorState {
             C::CheckpointTool => self.settings.tool = Tool::Checkpoint,
             C::JointTargetTool => self.settings.tool = Tool::JointTarget,
             C::PoseTool => self.settings.tool = Tool::Pose,
+            C::ByHandTool => {
+                self.settings.tool = Tool::ByHand;
+                self.right_tab = RightTab::ByHand;
+            }
             C::AddCheckpoint => self.add_checkpoint_ahead(),
             C::TurnLeft => self.turn_selected(TURN_DEG),
             C::TurnRight => self.turn_selected(-TURN_DEG),

@@ -14,10 +14,11 @@ impl UiCommand {
             Self::Undo => n_undo > 0 || state.is_in_gesture(),
             Self::Redo => n_redo > 0,
             Self::Delete => {
-                matches!(
-                    state.selected(),
-                    Some(Selectable::Constraint(_) | Selectable::Obstacle(_))
-                )
+                state.selected_edit().is_some()
+                    || matches!(
+                        state.selected(),
+                        Some(Selectable::Constraint(_) | Selectable::Obstacle(_))
+                    )
             }
             Self::MoveSelection
             | Self::TurnSelection
@@ -77,6 +78,7 @@ impl UiCommand {
             Self::PauseSearch => state.session.is_search_paused(),
             Self::Trail => settings.trail,
             Self::JointTargetTool => settings.tool == Tool::JointTarget,
+            Self::ByHandTool => settings.tool == Tool::ByHand,
             Self::PoseTool => settings.tool == Tool::Pose,
             Self::JointTrails => settings.joint_trails,
             Self::Ghosts => settings.ghosts != GhostMode::Off,

@@ -483,11 +483,12 @@ impl ViewportPanel {
 }
 
 /// The few things that are switched in the view itself.
-const TOGGLES: [(&str, UiCommand); 6] = [
+const TOGGLES: [(&str, UiCommand); 7] = [
     (icons::SELECT, UiCommand::SelectTool),
     (icons::CHECKPOINT, UiCommand::CheckpointTool),
     (icons::JOINT_TARGET, UiCommand::JointTargetTool),
     (icons::POSE, UiCommand::PoseTool),
+    (icons::HAND, UiCommand::ByHandTool),
     (icons::FOLLOW, UiCommand::Follow),
     (icons::GHOSTS, UiCommand::Ghosts),
 ];

@@ -3,7 +3,7 @@
 use glam::Mat4;
 use motion_core::ids::JointIdx;
 use motion_core::skeleton::JointRole;
-use motion_scene::body::{Body, Emphasis, Look, PickId};
+use motion_scene::body::{Body, Emphasis, GHOST_ALPHA, Look, PickId};
 use motion_scene::color::ColorRole;
 use motion_session::ConstraintKind;
 use motion_session::selection::Selectable;
@@ -11,7 +11,7 @@ use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Show, Staged};
 
 use super::compare;
-use crate::settings::GhostMode;
+use crate::settings::{GhostMode, Tool};
 use crate::state::EditorState;
 
 /// Poses of the same motion at other times.
@@ -44,6 +44,7 @@ pub fn staged(state: &EditorState, ghost: Option<Vec<Mat4>>) -> Option<Staged> {
     }
     compare::add_others(&mut staged.scene, state);
     add_ghosts(&mut staged, state);
+    add_before_hand(&mut staged, state);
     add_trails(&mut staged, state);
     if let (Some(pose), Some(actor)) = (ghost, state.stage.actors.first()) {
         let look = Look::Ghost(ColorRole::Pose.color(state.settings.theme).with_alpha(0.5));
@@ -71,6 +72,19 @@ pub fn choices(state: &EditorState) -> Show {
         wishes: true,
         trail: state.settings.trail,
         ghosts: if state.settings.ghosts == GhostMode::Fan { N_GHOSTS } else { 0 },
+    }
+}
+
+/// The shown take as it was before it was changed by hand, faint: while it is being changed, and
+/// where it is compared.
+fn add_before_hand(staged: &mut Staged, state: &EditorState) {
+    if state.settings.tool != Tool::ByHand && !state.compares_before_hand {
+        return;
+    }
+    if let Some(before) = state.actor_before_hand() {
+        let color = ColorRole::FaintText.color(state.settings.theme).with_alpha(GHOST_ALPHA);
+        let frame = state.source_frame(state.frame());
+        staged.scene.bodies.push(before.body_at(frame, Look::Ghost(color)));
     }
 }
 

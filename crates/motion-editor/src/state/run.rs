@@ -111,7 +111,10 @@ impl EditorState {
             C::Delete => self.delete_selected(),
             C::Duplicate => self.duplicate_selected(),
             C::SelectAll => self.select_all(),
-            C::SelectNone => self.session.selection_mut().clear(),
+            C::SelectNone => {
+                self.session.selection_mut().clear();
+                self.selected_hand_edit = None;
+            }
             C::RetimeBack => self.retime_selected(-1),
             C::RetimeAhead => self.retime_selected(1),
             C::NextCharacter => {

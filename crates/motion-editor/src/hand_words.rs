@@ -40,7 +40,8 @@ mod tests {
 
     #[test]
     fn changes_are_said_with_units() {
-        let turn = HandChange::Joint { joint: "LeftForeArm".to_owned(), turn_deg: [0.0, 30.0, 0.0] };
+        let turn =
+            HandChange::Joint { joint: "LeftForeArm".to_owned(), turn_deg: [0.0, 30.0, 0.0] };
         assert_eq!((what(&turn).as_str(), how_much(&turn).as_str()), ("Left fore arm", "30°"));
         let (limb, space) = (Limb::RightFoot, Space::World);
         let shift = HandChange::Hand { limb, shift_m: [0.03, 0.04, 0.0], space };

@@ -29,8 +29,7 @@ impl EditorState {
         let found = self.session.snapshot().character(self.session.active())?;
         let shown = found.shown()?;
         let takes = self.session.document().takes();
-        let with_layer =
-            |id| takes.get(&found.name, id).filter(|stored| stored.by_hand.is_some());
+        let with_layer = |id| takes.get(&found.name, id).filter(|stored| stored.by_hand.is_some());
         let mut at = Some(shown);
         // Nobody descends from more takes than there are.
         for _ in 0..=found.takes.len() {
@@ -110,7 +109,32 @@ impl EditorState {
     /// Selects an edit, and nothing else.
     pub fn select_edit(&mut self, id: impl Into<String>) {
         self.session.selection_mut().clear();
+        self.selected_knot = None;
         self.selected_hand_edit = Some(id.into());
+    }
+
+    /// Selects a knot of the timing, and nothing else.
+    pub fn select_knot(&mut self, nth: usize) {
+        self.session.selection_mut().clear();
+        self.selected_hand_edit = None;
+        self.selected_knot = Some(nth);
+    }
+
+    /// The selected knot of the timing, if it is there.
+    pub fn knot_to_delete(&self) -> Option<usize> {
+        let n = self.hand_layer()?.retime().knots().len();
+        self.selected_knot.filter(|nth| *nth < n && self.selected().is_none())
+    }
+
+    /// Takes a knot of the timing away, as one step.
+    pub fn remove_knot(&mut self, nth: usize) {
+        let knots = self.hand_layer().map(|layer| layer.retime().knots().to_vec());
+        let (Some(take), Some(mut knots)) = (self.hand_take(), knots) else { return };
+        if nth < knots.len() {
+            knots.remove(nth);
+            self.apply_all("Delete a knot", &[Command::RetimeByHand { take, knots: Some(knots) }]);
+        }
+        self.selected_knot = None;
     }
 
     /// The edit of the same hand, foot or joint that is fully there at a source frame.
@@ -137,12 +161,6 @@ impl EditorState {
         }
     }
 
-    /// What gives an edit other values.
-    pub fn change_hand_command(&self, id: &str, edit: HandEdit) -> Vec<Command> {
-        let command = |take| Command::ChangeByHand { take, id: id.to_owned(), edit };
-        self.hand_take().map(command).into_iter().collect()
-    }
-
     /// Takes an edit away, as one step.
     pub fn remove_hand_edit(&mut self, id: &str) {
         if let Some(take) = self.hand_take() {
@@ -163,8 +181,9 @@ impl EditorState {
 
     /// Whoever selects something else has no edit selected any more.
     pub(super) fn forget_edit(&mut self) {
-        if self.selected_hand_edit.is_some() && self.selected().is_some() {
+        if self.selected().is_some() {
             self.selected_hand_edit = None;
+            self.selected_knot = None;
         }
     }
 }

@@ -72,6 +72,10 @@ impl EditorState {
             self.remove_hand_edit(&id);
             return;
         }
+        if let Some(nth) = self.knot_to_delete() {
+            self.remove_knot(nth);
+            return;
+        }
         let document = self.session.document();
         let selection = self.session.selection();
         // Obstacles are places in a list: the last first.

@@ -112,6 +112,8 @@ pub struct EditorState {
     pub renaming: Option<(TakeId, String)>,
     /// The change by hand on the shown take that was selected last.
     pub selected_hand_edit: Option<String>,
+    /// The knot of its timing that was selected last.
+    pub selected_knot: Option<usize>,
     /// Whether the shown take is also seen as it was before it was changed by hand.
     pub compares_before_hand: bool,
     /// What the lower part of the right panel shows.
@@ -179,6 +181,7 @@ impl EditorState {
             comparing: Comparing::default(),
             renaming: None,
             selected_hand_edit: None,
+            selected_knot: None,
             compares_before_hand: false,
             right_tab: RightTab::default(),
             gain: Gain::default(),

@@ -158,7 +158,8 @@ fn bar_ui(sheet: &mut Sheet<'_>, id: &str, edit: &HandEdit, bar: HandBar) {
         let said = || format!("{} of {title}", part.name());
         response.widget_info(|| WidgetInfo::labeled(Role::ListItem, true, said()));
         events(sheet, &response, id, part);
-        if matches!(part, HandPart::EaseIn | HandPart::EaseOut) && (is_selected || response.hovered())
+        if matches!(part, HandPart::EaseIn | HandPart::EaseOut)
+            && (is_selected || response.hovered())
         {
             let x = if part == HandPart::EaseIn { bar.start } else { bar.end };
             let foot = Pos2::new(x, bar.full.bottom() - 1.0);

@@ -15,6 +15,7 @@ impl UiCommand {
             Self::Redo => n_redo > 0,
             Self::Delete => {
                 state.selected_edit().is_some()
+                    || state.knot_to_delete().is_some()
                     || matches!(
                         state.selected(),
                         Some(Selectable::Constraint(_) | Selectable::Obstacle(_))

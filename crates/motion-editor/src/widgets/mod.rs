@@ -2,6 +2,7 @@
 
 pub mod digits;
 pub mod icon_button;
+pub mod number_field;
 
 use egui::{Frame, Ui};
 

@@ -107,7 +107,10 @@ impl HandPull {
                 let shift = shift.clamp_length_max(MAX_SHIFT_M as f32 * 0.999);
                 *shift_m = shift.to_array().map(to_tenth_mm);
             }
-            (HandChange::Joint { turn_deg, .. }, Pulled::Joint { world_from_joint, before_rad }) => {
+            (
+                HandChange::Joint { turn_deg, .. },
+                Pulled::Joint { world_from_joint, before_rad },
+            ) => {
                 let by = turned(&sight.camera, pointer - self.grabbed);
                 let turn = turn_after(by, world_from_joint, before_rad);
                 let most = (MAX_TURN_DEG as f32).to_radians() * 0.999;

@@ -267,15 +267,10 @@ impl Gesture {
             }
             doing => (doing, false),
         };
-        let is_edit =
-            matches!(
-                doing,
-                Doing::Carry(_)
-                    | Doing::Turn(_)
-                    | Doing::Add(..)
-                    | Doing::Pull(_)
-                    | Doing::ByHand(_)
-            );
+        let is_edit = matches!(
+            doing,
+            Doing::Carry(_) | Doing::Turn(_) | Doing::Add(..) | Doing::Pull(_) | Doing::ByHand(_)
+        );
         if is_edit && !state.is_in_gesture() {
             // Escape has ended it.
             return if mouse.is_down { Doing::Spent } else { Doing::Nothing };

@@ -1,0 +1,71 @@
+//! The numbers of the selected change by hand.
+
+use egui::Ui;
+use motion_session::command::Command;
+use motion_session::document::by_hand::{MAX_EASE_FRAMES, MAX_SHIFT_M, MAX_TURN_DEG};
+use motion_session::document::{HandChange, HandEdit};
+
+use super::heading_ui;
+use crate::hand_words::what;
+use crate::state::EditorState;
+use crate::widgets::number_field::NumberField;
+
+const LAST_FRAME: f64 = 999_999.0;
+
+/// The fields, where a change is selected.
+pub(super) fn edit_fields_ui(ui: &mut Ui, state: &mut EditorState) {
+    let Some((id, edit)) = state.selected_edit() else { return };
+    let (id, edit) = (id.to_owned(), edit.clone());
+    let Some(take) = state.hand_take() else { return };
+    let with =
+        |edit: HandEdit| vec![Command::ChangeByHand { take: take.clone(), id: id.clone(), edit }];
+    heading_ui(ui, &what(&edit.change), "");
+    let (from, to) = (f64::from(edit.from), f64::from(edit.to));
+    frames("From", (0.0, to)).row_ui(ui, from, state, |frame| {
+        with(HandEdit { from: frame.round() as u32, ..edit.clone() })
+    });
+    frames("To", (from, LAST_FRAME))
+        .row_ui(ui, to, state, |frame| with(HandEdit { to: frame.round() as u32, ..edit.clone() }));
+    let most = (0.0, f64::from(MAX_EASE_FRAMES));
+    frames("Ease in", most).row_ui(ui, f64::from(edit.ease_in), state, |frames| {
+        with(HandEdit { ease_in: frames.round() as u32, ..edit.clone() })
+    });
+    frames("Ease out", most).row_ui(ui, f64::from(edit.ease_out), state, |frames| {
+        with(HandEdit { ease_out: frames.round() as u32, ..edit.clone() })
+    });
+    for axis in 0..3 {
+        let (field, value) = match &edit.change {
+            HandChange::Hand { shift_m, .. } => (centimetres(axis), 100.0 * shift_m[axis]),
+            HandChange::Joint { turn_deg, .. } => (degrees(axis), turn_deg[axis]),
+        };
+        field.row_ui(ui, value, state, |value| {
+            with(HandEdit { change: with_axis(&edit.change, axis, value), ..edit.clone() })
+        });
+    }
+}
+
+/// The change with another value along or about an axis.
+fn with_axis(change: &HandChange, axis: usize, value: f64) -> HandChange {
+    let mut new = change.clone();
+    match &mut new {
+        HandChange::Hand { shift_m, .. } => shift_m[axis] = 0.01 * value,
+        HandChange::Joint { turn_deg, .. } => turn_deg[axis] = value,
+    }
+    new
+}
+
+fn frames(name: &'static str, range: (f64, f64)) -> NumberField {
+    NumberField { name, unit: " f", speed: 0.25, decimals: 0, range }
+}
+
+fn centimetres(axis: usize) -> NumberField {
+    let name = ["Shift x", "Shift y (up)", "Shift z"][axis];
+    let most = 100.0 * MAX_SHIFT_M;
+    NumberField { name, unit: " cm", speed: 0.25, decimals: 1, range: (-most, most) }
+}
+
+fn degrees(axis: usize) -> NumberField {
+    let name = ["Turn about x", "Turn about y", "Turn about z"][axis];
+    let range = (-MAX_TURN_DEG, MAX_TURN_DEG);
+    NumberField { name, unit: "°", speed: 0.5, decimals: 1, range }
+}

@@ -107,7 +107,7 @@ fn knot_ui(
     let palette = theme::of(ui);
     let at = plot.place(f64::from(knot.output), knot.source.min(plot.last_source));
     let place = Rect::from_center_size(at, Vec2::splat(2.0 * REACH_PT));
-    let response = ui.interact(place, ground.id.with(nth), Sense::click_and_drag());
+    let response = ui.interact(place, ground.id.with(("knot", nth)), Sense::click_and_drag());
     let is_selected = state.selected_knot == Some(nth);
     let said = || format!("Knot {}, f {} shows f {:.1}", nth + 1, knot.output, knot.source);
     response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, said()));

@@ -5,6 +5,9 @@
 
 use std::sync::Arc;
 
+use glam::{Quat, Vec3};
+use motion_core::by_hand::Space;
+use motion_core::ground::yaw_series_rad;
 use motion_core::motion::Motion;
 use motion_session::command::Command;
 use motion_session::document::{ByHand, HandChange, HandEdit, StoredTake};
@@ -151,6 +154,15 @@ impl EditorState {
         HandEdit { change, from: frame, to: frame, ease_in: ease, ease_out: ease }
     }
 
+    /// Whether an edit has an effect at a source frame.
+    pub fn is_changed_by_hand(&self, frame: u32) -> bool {
+        let mut edits = self.hand_layer().into_iter().flat_map(|layer| layer.edits());
+        edits.any(|(_, edit)| {
+            let first = edit.from.saturating_sub(edit.ease_in);
+            (first..=edit.to.saturating_add(edit.ease_out)).contains(&frame)
+        })
+    }
+
     /// Puts an edit on the shown take, as one step, and selects it.
     pub fn add_hand_edit(&mut self, change: HandChange) {
         let Some(take) = self.hand_take() else { return };
@@ -159,6 +171,31 @@ impl EditorState {
         if self.apply(&Command::AddByHand { take, edit }) {
             self.select_edit(id);
         }
+    }
+
+    /// Moves the hand or foot of the selected edit by so much in the world, as one step.
+    pub fn nudge_hand(&mut self, by_m: Vec3) {
+        let Some((id, edit)) = self.selected_edit() else { return };
+        let (id, mut edit) = (id.to_owned(), edit.clone());
+        let HandChange::Hand { shift_m, space, .. } = &mut edit.change else { return };
+        let by_m = match space {
+            Space::World => by_m,
+            Space::Torso => self.heading_by_hand().inverse() * by_m,
+        };
+        let to_tenth_mm = |metres: f64| (metres * 1e4).round() / 1e4 + 0.0;
+        for (axis, by) in by_m.to_array().into_iter().enumerate() {
+            shift_m[axis] = to_tenth_mm(shift_m[axis] + f64::from(by));
+        }
+        if let Some(take) = self.hand_take() {
+            self.apply_all("Nudge", &[Command::ChangeByHand { take, id, edit }]);
+        }
+    }
+
+    /// Where the body looks at the playhead, before it is changed by hand.
+    pub fn heading_by_hand(&self) -> Quat {
+        let yaw = self.motion_before_hand().map(|motion| yaw_series_rad(motion));
+        let at = |yaw: Vec<f32>| yaw.get(self.hand_frame() as usize).copied();
+        Quat::from_rotation_y(yaw.and_then(at).unwrap_or_default())
     }
 
     /// Takes an edit away, as one step.

@@ -27,7 +27,8 @@ impl UiCommand {
             | Self::TurnLeft
             | Self::TurnRight => {
                 let document = state.session.document();
-                state.session.selection().constraints(document).next().is_some()
+                let has_hand = matches!(self, Self::Nudge(_)) && state.selected_edit().is_some();
+                has_hand || state.session.selection().constraints(document).next().is_some()
             }
             Self::Duplicate | Self::RetimeBack | Self::RetimeAhead => {
                 state.selected_marks().next().is_some()

@@ -3,7 +3,7 @@
 use glam::Mat4;
 use motion_core::ids::JointIdx;
 use motion_core::skeleton::JointRole;
-use motion_scene::body::{Body, Emphasis, GHOST_ALPHA, Look, PickId};
+use motion_scene::body::{Body, Emphasis, Look, PickId};
 use motion_scene::color::ColorRole;
 use motion_session::ConstraintKind;
 use motion_session::selection::Selectable;
@@ -18,6 +18,8 @@ use crate::state::EditorState;
 const N_GHOSTS: usize = 7;
 /// A clip that is only looked at must not pass for a take.
 const PREVIEW_ALPHA: f32 = 0.45;
+/// A limb of the motion before is thin, and must be found beside the one that was moved.
+const BEFORE_ALPHA: f32 = 0.4;
 /// Around the playhead, so many before and after.
 const N_AROUND: i64 = 3;
 /// So far apart, seconds.
@@ -81,8 +83,12 @@ fn add_before_hand(staged: &mut Staged, state: &EditorState) {
     if state.settings.tool != Tool::ByHand && !state.compares_before_hand {
         return;
     }
+    // Where nothing is changed it would only veil the body.
+    if !state.is_changed_by_hand(state.hand_frame()) {
+        return;
+    }
     if let Some(before) = state.actor_before_hand() {
-        let color = ColorRole::FaintText.color(state.settings.theme).with_alpha(GHOST_ALPHA);
+        let color = ColorRole::FaintText.color(state.settings.theme).with_alpha(BEFORE_ALPHA);
         let frame = state.source_frame(state.frame());
         staged.scene.bodies.push(before.body_at(frame, Look::Ghost(color)));
     }

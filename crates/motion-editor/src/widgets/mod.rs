@@ -2,7 +2,6 @@
 
 pub mod digits;
 pub mod icon_button;
-pub mod number_field;
 
 use egui::{Frame, Ui};
 

@@ -7,8 +7,8 @@ use motion_session::document::{HandChange, HandEdit};
 
 use super::heading_ui;
 use crate::hand_words::what;
+use crate::panels::inspector::field::{Number, number_row_ui};
 use crate::state::EditorState;
-use crate::widgets::number_field::NumberField;
 
 const LAST_FRAME: f64 = 999_999.0;
 
@@ -21,16 +21,17 @@ pub(super) fn edit_fields_ui(ui: &mut Ui, state: &mut EditorState) {
         |edit: HandEdit| vec![Command::ChangeByHand { take: take.clone(), id: id.clone(), edit }];
     heading_ui(ui, &what(&edit.change), "");
     let (from, to) = (f64::from(edit.from), f64::from(edit.to));
-    frames("From", (0.0, to)).row_ui(ui, from, state, |frame| {
+    number_row_ui(ui, frames("From", (0.0, to)), from, state, |frame| {
         with(HandEdit { from: frame.round() as u32, ..edit.clone() })
     });
-    frames("To", (from, LAST_FRAME))
-        .row_ui(ui, to, state, |frame| with(HandEdit { to: frame.round() as u32, ..edit.clone() }));
+    number_row_ui(ui, frames("To", (from, LAST_FRAME)), to, state, |frame| {
+        with(HandEdit { to: frame.round() as u32, ..edit.clone() })
+    });
     let most = (0.0, f64::from(MAX_EASE_FRAMES));
-    frames("Ease in", most).row_ui(ui, f64::from(edit.ease_in), state, |frames| {
+    number_row_ui(ui, frames("Ease in", most), f64::from(edit.ease_in), state, |frames| {
         with(HandEdit { ease_in: frames.round() as u32, ..edit.clone() })
     });
-    frames("Ease out", most).row_ui(ui, f64::from(edit.ease_out), state, |frames| {
+    number_row_ui(ui, frames("Ease out", most), f64::from(edit.ease_out), state, |frames| {
         with(HandEdit { ease_out: frames.round() as u32, ..edit.clone() })
     });
     for axis in 0..3 {
@@ -38,7 +39,7 @@ pub(super) fn edit_fields_ui(ui: &mut Ui, state: &mut EditorState) {
             HandChange::Hand { shift_m, .. } => (centimetres(axis), 100.0 * shift_m[axis]),
             HandChange::Joint { turn_deg, .. } => (degrees(axis), turn_deg[axis]),
         };
-        field.row_ui(ui, value, state, |value| {
+        number_row_ui(ui, field, value, state, |value| {
             with(HandEdit { change: with_axis(&edit.change, axis, value), ..edit.clone() })
         });
     }
@@ -54,18 +55,18 @@ fn with_axis(change: &HandChange, axis: usize, value: f64) -> HandChange {
     new
 }
 
-fn frames(name: &'static str, range: (f64, f64)) -> NumberField {
-    NumberField { name, unit: " f", speed: 0.25, decimals: 0, range }
+fn frames(name: &'static str, range: (f64, f64)) -> Number<'static> {
+    Number { name, unit: " f", speed: 0.25, decimals: 0, range }
 }
 
-fn centimetres(axis: usize) -> NumberField {
+fn centimetres(axis: usize) -> Number<'static> {
     let name = ["Shift x", "Shift y (up)", "Shift z"][axis];
     let most = 100.0 * MAX_SHIFT_M;
-    NumberField { name, unit: " cm", speed: 0.25, decimals: 1, range: (-most, most) }
+    Number { name, unit: " cm", speed: 0.25, decimals: 1, range: (-most, most) }
 }
 
-fn degrees(axis: usize) -> NumberField {
+fn degrees(axis: usize) -> Number<'static> {
     let name = ["Turn about x", "Turn about y", "Turn about z"][axis];
     let range = (-MAX_TURN_DEG, MAX_TURN_DEG);
-    NumberField { name, unit: "°", speed: 0.5, decimals: 1, range }
+    Number { name, unit: "°", speed: 0.5, decimals: 1, range }
 }

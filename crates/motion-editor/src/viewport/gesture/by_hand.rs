@@ -3,7 +3,6 @@
 use egui::{Pos2, Stroke, Ui, Vec2};
 use glam::{Quat, Vec3};
 use motion_core::by_hand::{Limb, Space};
-use motion_core::ground::yaw_series_rad;
 use motion_core::rotation;
 use motion_core::skeleton::Skeleton;
 use motion_scene::camera::OrbitCamera;
@@ -72,7 +71,7 @@ impl HandPull {
             HandChange::Hand { shift_m, space, .. } => {
                 let world_from_shift = match space {
                     Space::World => Quat::IDENTITY,
-                    Space::Torso => heading(state),
+                    Space::Torso => state.heading_by_hand(),
                 };
                 let before_m = Vec3::from_array(shift_m.map(|x| x as f32));
                 Pulled::Limb { from_m: joint.at_m, before_m, world_from_shift }
@@ -125,13 +124,6 @@ impl HandPull {
             None => Command::AddByHand { take, edit },
         }]
     }
-}
-
-/// Where the body looks at the playhead.
-fn heading(state: &EditorState) -> Quat {
-    let yaw = state.motion_before_hand().map(|motion| yaw_series_rad(motion));
-    let at = |yaw: Vec<f32>| yaw.get(state.hand_frame() as usize).copied();
-    Quat::from_rotation_y(yaw.and_then(at).unwrap_or_default())
 }
 
 /// A ball that the pointer rolls: across about what is up in the picture, up and down about what is

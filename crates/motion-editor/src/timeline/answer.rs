@@ -61,7 +61,7 @@ impl TimelinePanel {
                 Action::SelectHand(id) => state.select_edit(id),
                 Action::GrabHand(id, part) => {
                     let grab = HandGrab::new(&id, part, self.press_at(ui), state);
-                    self.drag = grab.map(Drag::ByHand);
+                    self.drag = grab.map(|grab| Drag::ByHand(Box::new(grab)));
                 }
                 Action::RemoveHand(id) => state.remove_hand_edit(&id),
                 Action::GrabLength => self.drag = Some(Drag::length(state)),

@@ -28,7 +28,7 @@ pub enum Drag {
     /// Marks to other frames, held at so many frames behind the one that counts.
     Retime(Grab, f64),
     /// A change by hand to other frames.
-    ByHand(HandGrab),
+    ByHand(Box<HandGrab>),
     /// The end of the motion; the mode it has from then on, and whether it has been moved.
     Length(LengthMode, bool),
     /// The played part, which was this, held at so many frames behind its beginning.

@@ -295,13 +295,13 @@ fn the_timing_is_bent() {
     let n_knots = |harness: &Window| {
         harness.state().state.hand_layer().map_or(0, |layer| layer.retime().knots().len())
     };
-    assert_eq!(n_knots(&harness), 4);
-    let knot = rect(&harness, "Knot 4").center();
+    assert_eq!(n_knots(&harness), 6);
+    let knot = rect(&harness, "Knot 6").center();
     drag(&mut harness, knot, Vec2::new(20.0, 0.0));
     assert_eq!(n_undo(&harness), before + 2);
     harness.key_press(Key::Delete);
     harness.run_steps(2);
-    assert_eq!(n_knots(&harness), 3);
+    assert_eq!(n_knots(&harness), 5);
     // A double click puts one on the curve; here every event takes its quarter of a second.
     harness.ctx.options_mut(|options| options.input_options.max_double_click_delay = 5.0);
     let plot = rect(&harness, "Timing curve");
@@ -313,7 +313,7 @@ fn the_timing_is_bent() {
         harness.run_steps(1);
     }
     harness.run_steps(2);
-    assert_eq!(n_knots(&harness), 4);
+    assert_eq!(n_knots(&harness), 6);
     harness.get_by_label("Own timing").click();
     harness.run_steps(2);
     assert_eq!(n_knots(&harness), 0);

@@ -79,8 +79,13 @@ pub fn at_speed(retime: &Retime, n_source: usize, (from, to): (u32, u32), speed:
     let last = (frames.len() - 1) as f64;
     let before = start - EASE_FRAMES;
     let behind = end + EASE_FRAMES;
-    // Knots beside the part keep what is further away as it is.
-    let own = [before, start, end, behind].into_iter().filter(|at| *at > 0.0 && *at <= last);
+    // Knots beside the part keep what is further away as it is, knots within it the new speed even.
+    let is_long = length > 3.0 * EASE_FRAMES;
+    let within = [start + EASE_FRAMES, end - EASE_FRAMES].into_iter().filter(|_| is_long);
+    let own = [before, start, end, behind]
+        .into_iter()
+        .chain(within)
+        .filter(|at| *at > 0.0 && *at <= last);
     let known = retime.knots().iter().map(|knot| f64::from(knot.output));
     let known = known.filter(|at| *at <= before || *at >= behind || (start..=end).contains(at));
     let mut outputs: Vec<f64> = own.chain(known).collect();

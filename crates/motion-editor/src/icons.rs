@@ -44,6 +44,8 @@ pub const CHECKPOINT: &str = "\u{e123}";
 pub const JOINT_TARGET: &str = "\u{e2d2}";
 /// The pose tool.
 pub const POSE: &str = "\u{e465}";
+/// Changed by hand; the tool that does it.
+pub const HAND: &str = "\u{e1d7}";
 /// Adds something.
 pub const ADD: &str = "\u{e13d}";
 /// Removes something.

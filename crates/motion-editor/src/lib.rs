@@ -15,6 +15,8 @@ pub mod window;
 pub mod state;
 
 pub mod focus;
+pub mod hand_time;
+pub mod hand_words;
 pub mod mark;
 pub mod notices;
 pub mod project_source;

@@ -21,6 +21,8 @@ pub enum Tool {
     JointTarget,
     /// Puts poses of clips on the floor.
     Pose,
+    /// Moves hands and feet of the shown take, and turns its other joints.
+    ByHand,
 }
 
 /// Which other moments of the motion are shown, faint.

@@ -34,6 +34,8 @@ pub struct TakeCard {
     pub is_pinned: bool,
     /// Whether it was made for other constraints than the present ones.
     pub is_stale: bool,
+    /// Whether something of it is changed by hand.
+    pub is_by_hand: bool,
     /// The sum of the terms, in units of one tolerance squared; infinite where it cannot be scored.
     pub score: f64,
     /// Its parts, in the order of [`TERMS`].
@@ -149,6 +151,7 @@ pub fn cards_of(
             name: stored.and_then(|stored| stored.name.clone()),
             is_pinned: stored.is_some_and(|stored| stored.pinned),
             is_stale: found.is_stale(take),
+            is_by_hand: take.by_hand.as_ref().is_some_and(|by_hand| !by_hand.layer.is_empty()),
             score: f64::from(take.score),
             terms: [t.continuity, t.length, t.body, t.environment].map(f64::from),
             actor,

@@ -4,6 +4,7 @@ pub mod takes;
 
 pub mod right_tab;
 
+pub mod by_hand;
 pub mod cost;
 pub mod inspector;
 pub mod why;

@@ -2,7 +2,7 @@
 
 use egui::{RichText, Role, Ui, WidgetInfo};
 
-use super::{cost, inspector, why};
+use super::{by_hand, cost, inspector, why};
 use crate::state::EditorState;
 use crate::theme;
 
@@ -16,11 +16,13 @@ pub enum RightTab {
     Cost,
     /// What is missed, constraint by constraint and cut by cut.
     Why,
+    /// What is changed by hand on the shown take.
+    ByHand,
 }
 
 impl RightTab {
     /// From left to right.
-    pub const ALL: [Self; 3] = [Self::Inspector, Self::Cost, Self::Why];
+    pub const ALL: [Self; 4] = [Self::Inspector, Self::Cost, Self::Why, Self::ByHand];
 
     /// What it is called.
     pub fn name(self) -> &'static str {
@@ -28,6 +30,7 @@ impl RightTab {
             Self::Inspector => "Inspector",
             Self::Cost => "Cost",
             Self::Why => "Why",
+            Self::ByHand => "By hand",
         }
     }
 
@@ -36,6 +39,7 @@ impl RightTab {
             Self::Inspector => "The fields of what is selected",
             Self::Cost => "What each take costs, and for what",
             Self::Why => "What each constraint and each cut of the shown take costs and misses",
+            Self::ByHand => "What is changed by hand on the shown take, and when what is shown",
         }
     }
 }
@@ -71,5 +75,6 @@ pub fn tab_ui(ui: &mut Ui, state: &mut EditorState) {
         RightTab::Inspector => inspector::inspector_ui(ui, state),
         RightTab::Cost => cost::cost_ui(ui, state),
         RightTab::Why => why::why_ui(ui, state),
+        RightTab::ByHand => by_hand::by_hand_ui(ui, state),
     }
 }

@@ -44,6 +44,11 @@ fn hint(state: &EditorState) -> String {
                     · Esc leaves the tool"
                 .to_owned();
         }
+        Tool::ByHand => {
+            return "Drag a hand or a foot to move it, another joint to turn it · Z lifts · Esc \
+                    leaves the tool"
+                .to_owned();
+        }
         Tool::Select | Tool::Checkpoint => {}
     }
     if let Some(mark) = state.selected_mark() {

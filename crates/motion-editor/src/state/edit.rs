@@ -67,6 +67,15 @@ impl EditorState {
     /// Removes what is selected, as one step.
     pub fn delete_selected(&mut self) {
         use motion_session::selection::Selectable;
+        if let Some((id, _)) = self.selected_edit() {
+            let id = id.to_owned();
+            self.remove_hand_edit(&id);
+            return;
+        }
+        if let Some(nth) = self.knot_to_delete() {
+            self.remove_knot(nth);
+            return;
+        }
         let document = self.session.document();
         let selection = self.session.selection();
         // Obstacles are places in a list: the last first.

@@ -3,6 +3,7 @@
 //! The session has the document, the search, the playhead and what is selected. The state adds what
 //! only a window has: the order of the takes, what they look like, how panels are set up.
 
+pub mod by_hand;
 mod comparing;
 mod edit;
 mod gain;
@@ -109,6 +110,12 @@ pub struct EditorState {
     pub comparing: Comparing,
     /// The take whose name is being typed, and what it is so far.
     pub renaming: Option<(TakeId, String)>,
+    /// The change by hand on the shown take that was selected last.
+    pub selected_hand_edit: Option<String>,
+    /// The knot of its timing that was selected last.
+    pub selected_knot: Option<usize>,
+    /// Whether the shown take is also seen as it was before it was changed by hand.
+    pub compares_before_hand: bool,
     /// What the lower part of the right panel shows.
     pub right_tab: RightTab,
     /// When the best take last got better.
@@ -173,6 +180,9 @@ impl EditorState {
             hovered_source: None,
             comparing: Comparing::default(),
             renaming: None,
+            selected_hand_edit: None,
+            selected_knot: None,
+            compares_before_hand: false,
             right_tab: RightTab::default(),
             gain: Gain::default(),
             clock_secs: 0.0,
@@ -224,6 +234,7 @@ impl EditorState {
     /// Takes in what threads have done and lets `dt_secs` pass; never waits.
     pub fn poll(&mut self, dt_secs: f64) {
         self.clock_secs += dt_secs;
+        self.forget_edit();
         // Cards say so anew in every frame.
         self.hovered_card = None;
         let polled = self.session.poll(dt_secs);

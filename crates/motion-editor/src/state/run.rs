@@ -4,6 +4,7 @@ use motion_scene::color::Theme;
 use motion_session::document::CharacterIdx;
 
 use super::{CompareMode, EditorState};
+use crate::panels::right_tab::RightTab;
 use crate::settings::{Navigation, Tool};
 use crate::ui_command::UiCommand as C;
 
@@ -110,7 +111,10 @@ impl EditorState {
             C::Delete => self.delete_selected(),
             C::Duplicate => self.duplicate_selected(),
             C::SelectAll => self.select_all(),
-            C::SelectNone => self.session.selection_mut().clear(),
+            C::SelectNone => {
+                self.session.selection_mut().clear();
+                self.selected_hand_edit = None;
+            }
             C::RetimeBack => self.retime_selected(-1),
             C::RetimeAhead => self.retime_selected(1),
             C::NextCharacter => {
@@ -127,6 +131,10 @@ impl EditorState {
             C::CheckpointTool => self.settings.tool = Tool::Checkpoint,
             C::JointTargetTool => self.settings.tool = Tool::JointTarget,
             C::PoseTool => self.settings.tool = Tool::Pose,
+            C::ByHandTool => {
+                self.settings.tool = Tool::ByHand;
+                self.right_tab = RightTab::ByHand;
+            }
             C::AddCheckpoint => self.add_checkpoint_ahead(),
             C::TurnLeft => self.turn_selected(TURN_DEG),
             C::TurnRight => self.turn_selected(-TURN_DEG),

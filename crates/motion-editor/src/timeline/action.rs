@@ -4,6 +4,7 @@ use motion_session::command::Command;
 use motion_session::document::{CharacterIdx, ConstraintRef};
 use motion_session::playback::PlayRange;
 
+use super::hand_drag::HandPart;
 use super::retime::Part;
 use crate::ui_command::UiCommand;
 
@@ -16,6 +17,12 @@ pub enum Action {
     Hover(ConstraintRef),
     /// A constraint is being dragged.
     Grab(ConstraintRef, Part),
+    /// Select a change by hand.
+    SelectHand(String),
+    /// A change by hand is being dragged.
+    GrabHand(String, HandPart),
+    /// Take a change by hand away.
+    RemoveHand(String),
     /// The end of the motion is being dragged.
     GrabLength,
     /// The played part is being dragged by an end, or as a whole.

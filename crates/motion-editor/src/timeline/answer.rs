@@ -7,6 +7,7 @@ use motion_session::selection::Selectable;
 use super::TimelinePanel;
 use super::action::Action;
 use super::drag::Drag;
+use super::hand_drag::HandGrab;
 use super::retime::Grab;
 use crate::mark::Mark;
 use crate::state::EditorState;
@@ -57,6 +58,12 @@ impl TimelinePanel {
                     let press = self.press_at(ui);
                     self.drag = grab.map(|grab| Drag::retime(grab, press, state));
                 }
+                Action::SelectHand(id) => state.select_edit(id),
+                Action::GrabHand(id, part) => {
+                    let grab = HandGrab::new(&id, part, self.press_at(ui), state);
+                    self.drag = grab.map(|grab| Drag::ByHand(Box::new(grab)));
+                }
+                Action::RemoveHand(id) => state.remove_hand_edit(&id),
                 Action::GrabLength => self.drag = Some(Drag::length(state)),
                 Action::GrabLoop(part) => {
                     let from = self.press_at(ui);

@@ -8,6 +8,7 @@ use motion_session::playback::PlayRange;
 use motion_session::selection::Selectable;
 
 use super::axis::Axis;
+use super::hand_drag::HandGrab;
 use super::length_handle;
 use super::retime::{Grab, Part};
 use crate::mark::Mark;
@@ -26,6 +27,8 @@ const PAN_PER_SEC: f32 = 8.0;
 pub enum Drag {
     /// Marks to other frames, held at so many frames behind the one that counts.
     Retime(Grab, f64),
+    /// A change by hand to other frames.
+    ByHand(Box<HandGrab>),
     /// The end of the motion; the mode it has from then on, and whether it has been moved.
     Length(LengthMode, bool),
     /// The played part, which was this, held at so many frames behind its beginning.
@@ -64,13 +67,14 @@ impl Drag {
 
     /// Whether it changes the document, and so is a gesture of its history.
     fn is_gesture(&self) -> bool {
-        matches!(self, Self::Retime(..) | Self::Length(..))
+        matches!(self, Self::Retime(..) | Self::ByHand(_) | Self::Length(..))
     }
 
     /// Whether it is one of marks or lengths that has not moved them yet.
     fn is_at_rest(&self) -> bool {
         match self {
             Self::Retime(grab, _) => grab.done.is_none(),
+            Self::ByHand(grab) => grab.done.is_none(),
             Self::Length(_, has_moved) => !has_moved,
             Self::Loop(..) | Self::Scrub(_) | Self::Box(_) => false,
         }
@@ -130,6 +134,12 @@ impl Drag {
         state: &mut EditorState,
     ) {
         match self {
+            Self::ByHand(grab) => {
+                let commands = grab.commands(axis.frame_at(at.x), state);
+                if !commands.is_empty() {
+                    state.preview(&commands);
+                }
+            }
             Self::Retime(grab, off) => {
                 let snaps = snaps(state, |mark| grab.moves(&mark.at, shift));
                 let x = axis.x_of(axis.frame_at(at.x) - *off);
@@ -186,7 +196,7 @@ impl Drag {
     /// Has everything as it was.
     fn restore(self, state: &mut EditorState) {
         match self {
-            Self::Retime(..) | Self::Length(..) => {}
+            Self::Retime(..) | Self::ByHand(_) | Self::Length(..) => {}
             Self::Loop(_, before, _) => state.set_range(Some(before)),
             Self::Scrub(before) => state.seek(before),
             Self::Box(band) => state.session.selection_mut().select_all(band.before),

@@ -38,6 +38,7 @@ impl TimelinePanel {
             self.axis = None;
         } else if ground.clicked() && !shift {
             state.session.selection_mut().clear();
+            state.selected_hand_edit = None;
         }
     }
 

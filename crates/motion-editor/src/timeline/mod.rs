@@ -10,6 +10,8 @@ pub mod drag;
 pub mod feet_rows;
 pub mod foot_faults;
 mod ground;
+pub mod hand_drag;
+pub mod hand_row;
 pub mod length_handle;
 pub mod loop_band;
 pub mod mark_shape;
@@ -180,6 +182,7 @@ fn rows_ui(
             Row::Source => ribbon::ribbon_ui(sheet, place),
             Row::Body | Row::Joint(_) | Row::Pose => point_row::point_row_ui(sheet, row, place),
             Row::Style | Row::Path | Row::Locked => bar_row::bar_row_ui(sheet, row, place),
+            Row::ByHand(_) => hand_row::hand_row_ui(sheet, place),
             Row::Foot(side) => feet_rows::foot_row_ui(sheet, *side, place),
             Row::Curves => {}
             Row::Curve(curve) => curve_rows::curve_row_ui(sheet, *curve, place, path_errors_m),

@@ -22,7 +22,9 @@ pub fn name_ui(
     let y = match row {
         // The ribbon stands below its notches.
         Row::Source => place.center().y + 5.0,
-        Row::Style | Row::Path | Row::Locked => place.top() + 0.5 * theme::TRACK_HEIGHT,
+        Row::Style | Row::Path | Row::Locked | Row::ByHand(_) => {
+            place.top() + 0.5 * theme::TRACK_HEIGHT
+        }
         _ => place.center().y,
     };
     let left = place.left() + 3.0 * theme::GRID;

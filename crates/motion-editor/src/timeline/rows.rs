@@ -6,6 +6,7 @@ use motion_session::ConstraintKind;
 use motion_session::document::CharacterIdx;
 
 use super::curves::Curve;
+use super::hand_row;
 use crate::mark::Mark;
 use crate::state::EditorState;
 use crate::theme;
@@ -27,6 +28,8 @@ pub enum Row {
     Path,
     /// Stretches that stay.
     Locked,
+    /// What is changed by hand on the shown take, on so many storeys besides the first.
+    ByHand(usize),
     /// When a foot is planted.
     Foot(Side),
     /// The heading of the curves, which opens them.
@@ -48,6 +51,9 @@ pub fn rows_of(state: &EditorState) -> Vec<Row> {
     let stretches =
         [("pose", Row::Pose), ("style", Row::Style), ("path", Row::Path), ("lock", Row::Locked)];
     rows.extend(stretches.into_iter().filter(|(kind, _)| has(kind)).map(|(_, row)| row));
+    if state.has_hand_edits() {
+        rows.push(Row::ByHand(hand_row::extra_storeys(state)));
+    }
     rows.extend(Side::BOTH.map(Row::Foot));
     let characters = state.session.document().characters().len();
     let others = (0..characters).map(CharacterIdx).filter(|nth| *nth != state.session.active());
@@ -79,6 +85,7 @@ impl Row {
             Self::Style => "Style".to_owned(),
             Self::Path => "Path".to_owned(),
             Self::Locked => "Locked".to_owned(),
+            Self::ByHand(_) => "By hand".to_owned(),
             Self::Foot(Side::Left) => "Foot L".to_owned(),
             Self::Foot(Side::Right) => "Foot R".to_owned(),
             Self::Curves => "Curves".to_owned(),
@@ -111,6 +118,7 @@ impl Row {
                 let n = storeys(marks.iter().filter(|mark| self.holds(mark))).into_iter().max();
                 theme::TRACK_HEIGHT + STOREY_PT * n.unwrap_or_default() as f32
             }
+            Self::ByHand(n) => theme::TRACK_HEIGHT + STOREY_PT * *n as f32,
             Self::Foot(_) | Self::Other(_) => 16.0,
             Self::Curves => 20.0,
             Self::Curve(_) => 36.0,

@@ -14,10 +14,12 @@ impl UiCommand {
             Self::Undo => n_undo > 0 || state.is_in_gesture(),
             Self::Redo => n_redo > 0,
             Self::Delete => {
-                matches!(
-                    state.selected(),
-                    Some(Selectable::Constraint(_) | Selectable::Obstacle(_))
-                )
+                state.selected_edit().is_some()
+                    || state.knot_to_delete().is_some()
+                    || matches!(
+                        state.selected(),
+                        Some(Selectable::Constraint(_) | Selectable::Obstacle(_))
+                    )
             }
             Self::MoveSelection
             | Self::TurnSelection
@@ -25,7 +27,8 @@ impl UiCommand {
             | Self::TurnLeft
             | Self::TurnRight => {
                 let document = state.session.document();
-                state.session.selection().constraints(document).next().is_some()
+                let has_hand = matches!(self, Self::Nudge(_)) && state.selected_edit().is_some();
+                has_hand || state.session.selection().constraints(document).next().is_some()
             }
             Self::Duplicate | Self::RetimeBack | Self::RetimeAhead => {
                 state.selected_marks().next().is_some()
@@ -77,6 +80,7 @@ impl UiCommand {
             Self::PauseSearch => state.session.is_search_paused(),
             Self::Trail => settings.trail,
             Self::JointTargetTool => settings.tool == Tool::JointTarget,
+            Self::ByHandTool => settings.tool == Tool::ByHand,
             Self::PoseTool => settings.tool == Tool::Pose,
             Self::JointTrails => settings.joint_trails,
             Self::Ghosts => settings.ghosts != GhostMode::Off,

@@ -85,6 +85,7 @@ impl UiCommand {
             Self::CheckpointTool => vec![bare(Key::C)],
             Self::JointTargetTool => vec![bare(Key::T)],
             Self::PoseTool => vec![bare(Key::P)],
+            Self::ByHandTool => vec![bare(Key::I)],
             Self::AddCheckpoint => vec![shift(Key::A)],
             Self::MoveSelection => vec![bare(Key::G)],
             Self::TurnSelection => vec![bare(Key::R)],

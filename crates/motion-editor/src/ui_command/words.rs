@@ -77,6 +77,11 @@ impl UiCommand {
                 "Click on the floor for a pose of a clip; R or the wheel turns it, [ and ] choose its \
                  frame",
             ),
+            Self::ByHandTool => (
+                "By hand tool",
+                "Drag a hand or a foot of the shown take to move it around this frame, another joint \
+                 to turn it; hold Z to lift",
+            ),
             Self::AddCheckpoint => (
                 "Add checkpoint here",
                 "Puts a checkpoint in front of the character, at the playhead",

@@ -178,6 +178,9 @@ impl ViewportPanel {
                 self.gesture.begin_modal(Kind::Turn, pointer.unwrap_or_default(), state);
             }
             UiCommand::BoxSelect => self.gesture.begin_box(),
+            UiCommand::Nudge(nudge) if state.selected_edit().is_some() => {
+                state.nudge_hand(self.nudge_in_view_m(nudge));
+            }
             UiCommand::Nudge(nudge) => state.nudge_selected(self.nudge_m(nudge)),
             _ => {}
         }
@@ -278,6 +281,18 @@ impl ViewportPanel {
             Side::Near => (away, -step),
         };
         [way[0] * sign, 0.0, way[1] * sign]
+    }
+
+    /// A small step in the plane of the picture: a centimetre, or a millimetre.
+    fn nudge_in_view_m(&self, nudge: Nudge) -> Vec3 {
+        let step_m = if nudge.is_fine { 0.001 } else { 0.01 };
+        let way = match nudge.to {
+            Side::Left => Vec3::NEG_X,
+            Side::Right => Vec3::X,
+            Side::Away => Vec3::Y,
+            Side::Near => Vec3::NEG_Y,
+        };
+        self.camera.world_from_view_rotation() * way * step_m
     }
 
     /// The whole panel.
@@ -488,7 +503,7 @@ const TOGGLES: [(&str, UiCommand); 6] = [
     (icons::CHECKPOINT, UiCommand::CheckpointTool),
     (icons::JOINT_TARGET, UiCommand::JointTargetTool),
     (icons::POSE, UiCommand::PoseTool),
-    (icons::FOLLOW, UiCommand::Follow),
+    (icons::HAND, UiCommand::ByHandTool),
     (icons::GHOSTS, UiCommand::Ghosts),
 ];
 

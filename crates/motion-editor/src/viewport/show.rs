@@ -11,13 +11,15 @@ use motion_session::stage::pick::PickTarget;
 use motion_session::stage::{Show, Staged};
 
 use super::compare;
-use crate::settings::GhostMode;
+use crate::settings::{GhostMode, Tool};
 use crate::state::EditorState;
 
 /// Poses of the same motion at other times.
 const N_GHOSTS: usize = 7;
 /// A clip that is only looked at must not pass for a take.
 const PREVIEW_ALPHA: f32 = 0.45;
+/// A limb of the motion before is thin, and must be found beside the one that was moved.
+const BEFORE_ALPHA: f32 = 0.4;
 /// Around the playhead, so many before and after.
 const N_AROUND: i64 = 3;
 /// So far apart, seconds.
@@ -44,6 +46,7 @@ pub fn staged(state: &EditorState, ghost: Option<Vec<Mat4>>) -> Option<Staged> {
     }
     compare::add_others(&mut staged.scene, state);
     add_ghosts(&mut staged, state);
+    add_before_hand(&mut staged, state);
     add_trails(&mut staged, state);
     if let (Some(pose), Some(actor)) = (ghost, state.stage.actors.first()) {
         let look = Look::Ghost(ColorRole::Pose.color(state.settings.theme).with_alpha(0.5));
@@ -71,6 +74,23 @@ pub fn choices(state: &EditorState) -> Show {
         wishes: true,
         trail: state.settings.trail,
         ghosts: if state.settings.ghosts == GhostMode::Fan { N_GHOSTS } else { 0 },
+    }
+}
+
+/// The shown take as it was before it was changed by hand, faint: while it is being changed, and
+/// where it is compared.
+fn add_before_hand(staged: &mut Staged, state: &EditorState) {
+    if state.settings.tool != Tool::ByHand && !state.compares_before_hand {
+        return;
+    }
+    // Where nothing is changed it would only veil the body.
+    if !state.is_changed_by_hand(state.hand_frame()) {
+        return;
+    }
+    if let Some(before) = state.actor_before_hand() {
+        let color = ColorRole::FaintText.color(state.settings.theme).with_alpha(BEFORE_ALPHA);
+        let frame = state.source_frame(state.frame());
+        staged.scene.bodies.push(before.body_at(frame, Look::Ghost(color)));
     }
 }
 

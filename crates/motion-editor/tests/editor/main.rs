@@ -2,6 +2,7 @@
 #![allow(clippy::print_stderr, reason = "a test that is skipped says so")]
 
 mod author;
+mod by_hand;
 mod device_loss;
 mod files;
 mod look;

@@ -82,9 +82,12 @@ fn id_of(take: TakeId) -> Id {
 /// For tests and screen readers.
 fn label_of(take: &TakeCard, is_new: bool) -> String {
     let mut label = format!("{}, cost {}", take.title(), score_text(take.score));
-    for (is, words) in
-        [(take.is_pinned, "pinned"), (take.is_stale, "for earlier constraints"), (is_new, "new")]
-    {
+    for (is, words) in [
+        (take.is_pinned, "pinned"),
+        (take.is_by_hand, "changed by hand"),
+        (take.is_stale, "for earlier constraints"),
+        (is_new, "new"),
+    ] {
         if is {
             label += &format!(", {words}");
         }
@@ -184,6 +187,9 @@ fn words_ui(ui: &mut Ui, room: Rect, take: &TakeCard, around: &Around, state: &m
         for (name, term) in TERMS.iter().zip(take.terms).filter(|(_, term)| *term > 0.005) {
             ui.label(format!("{name} {term:.2}"));
         }
+        if take.is_by_hand {
+            ui.label("Changed by hand");
+        }
         if let Some(cm) = take.lane.foot_slide_cm_per_s {
             ui.label(format!("Feet slide {cm:.1} cm/s"));
         }
@@ -219,6 +225,7 @@ fn badges_ui(ui: &mut Ui, right: Pos2, take: &TakeCard, state: &mut EditorState)
     let is_settled = state.search_state() == SearchState::Settled && !take.is_stale;
     let badges = [
         (take.is_pinned && !is_near, icons::PIN, palette.accent, "Pinned"),
+        (take.is_by_hand, icons::HAND, palette.text, "Changed by hand; what it was is kept below"),
         (take.is_stale, icons::STALE, palette.faint, "For earlier constraints; it is made anew"),
         (is_settled, icons::DONE, palette.faint, "Settled: nothing near it is better"),
     ];

@@ -1,6 +1,7 @@
 //! What the mouse and keys do to the project in the view: a tool a file.
 
 pub mod box_select;
+pub mod by_hand;
 pub mod carry;
 pub mod joint;
 pub mod modal;
@@ -21,6 +22,7 @@ use crate::settings::{Navigation, Tool};
 use crate::state::EditorState;
 use crate::state::moving::rounded;
 use crate::theme;
+use by_hand::HandPull;
 use carry::Carry;
 use joint::{AimedJoint, Pull};
 use modal::{Kind, Modal, Next};
@@ -63,6 +65,8 @@ enum Doing {
     Add([f64; 2], u32),
     /// A joint target is pulled.
     Pull(Pull),
+    /// Something of the shown take is changed by hand.
+    ByHand(Box<HandPull>),
     /// A pose stands where the button went down.
     Pose(Pos2),
     /// A box is drawn.
@@ -80,6 +84,7 @@ enum Grab {
     Tip(ConstraintRef),
     Target(ConstraintRef),
     Joint(AimedJoint),
+    ByHand(AimedJoint),
 }
 
 /// What of the mouse is not the camera's.
@@ -111,7 +116,7 @@ impl Gesture {
     /// Takes the keys that mean what is under way, before they mean anything else.
     pub fn take_keys(&mut self, ctx: &egui::Context, state: &mut EditorState) {
         let is_modal = matches!(self.doing, Doing::Modal(_));
-        let is_pulling = matches!(self.doing, Doing::Pull(_));
+        let is_pulling = matches!(self.doing, Doing::Pull(_) | Doing::ByHand(_));
         let is_posing = self.is_posing && state.settings.tool == Tool::Pose;
         if !is_modal && !is_pulling && !is_posing && !self.box_is_due {
             return;
@@ -188,6 +193,7 @@ impl Gesture {
             Tool::JointTarget if mouse.is_over && is_free && !is_target(state.hovered) => {
                 joint::aim(state, sight, mouse.at)
             }
+            Tool::ByHand if mouse.is_over && is_free => joint::aim(state, sight, mouse.at),
             _ => None,
         };
         self.is_posing = state.settings.tool == Tool::Pose && mouse.is_over;
@@ -206,6 +212,9 @@ impl Gesture {
         }
         if std::mem::take(&mut self.box_is_due) {
             return Doing::Box(mouse.at);
+        }
+        if let (Tool::ByHand, Some(joint)) = (state.settings.tool, &self.joint) {
+            return Doing::Pressed(mouse.at, Grab::ByHand(joint.clone()));
         }
         // Alt is the camera's in the one scheme; Ctrl does the same there.
         let is_copy = if is_industry { mouse.has_ctrl } else { mouse.has_alt };
@@ -258,8 +267,10 @@ impl Gesture {
             }
             doing => (doing, false),
         };
-        let is_edit =
-            matches!(doing, Doing::Carry(_) | Doing::Turn(_) | Doing::Add(..) | Doing::Pull(_));
+        let is_edit = matches!(
+            doing,
+            Doing::Carry(_) | Doing::Turn(_) | Doing::Add(..) | Doing::Pull(_) | Doing::ByHand(_)
+        );
         if is_edit && !state.is_in_gesture() {
             // Escape has ended it.
             return if mouse.is_down { Doing::Spent } else { Doing::Nothing };
@@ -348,6 +359,9 @@ impl Gesture {
     pub fn overlay_ui(&self, ui: &Ui, sight: &Sight, state: &EditorState) {
         let pointer = modal::pointer_in(ui, sight);
         let is_snapping = ui.input(|input| input.modifiers.shift);
+        if state.settings.tool == Tool::ByHand {
+            by_hand::handles_ui(ui, sight, state);
+        }
         if let Some(joint) = &self.joint {
             joint::aimed_ui(ui, joint);
         }
@@ -388,6 +402,9 @@ impl Grab {
             }
             Self::Target(at) => Pull::known(&at, from, state).map(Doing::Pull),
             Self::Joint(joint) => Some(Doing::Pull(Pull::new(joint, from, state))),
+            Self::ByHand(joint) => {
+                HandPull::begin(&joint, from, state).map(|pull| Doing::ByHand(Box::new(pull)))
+            }
         };
         begun.unwrap_or(Doing::Spent)
     }
@@ -415,6 +432,7 @@ impl Doing {
                 let heading = floor_m.and_then(|to| heading_deg(position_m, to, is_snapping));
                 state.checkpoint_commands(*frame, position_m, heading)
             }
+            Self::ByHand(pull) => pull.commands(sight, mouse.at, mouse.is_lifting),
             Self::Pull(pull) => {
                 pull.commands(sight, mouse.at, mouse.is_lifting, is_snapping, state)
             }
@@ -494,6 +512,7 @@ fn cursor_ui(ui: &Ui, is_over: bool, box_is_due: bool, state: &EditorState) {
             Some(PickTarget::Checkpoint { .. } | PickTarget::Pose { .. }),
         )
         | (_, Some(PickTarget::JointTarget { .. })) => CursorIcon::Move,
+        (Tool::ByHand, _) => CursorIcon::Grab,
         (Tool::Checkpoint | Tool::JointTarget | Tool::Pose, _) => CursorIcon::Crosshair,
         _ => return,
     };

@@ -41,7 +41,7 @@ fn line_ui(ui: &mut Ui, mark: &Mark, state: &mut EditorState) {
     let size = Vec2::new(ui.available_width(), theme::ROW_HEIGHT);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let is_selected = state.is_selected(&mark.at);
-    let label = format!("{}, frame {}, {}", mark.title(), mark.frame(), mark.miss_text());
+    let label = format!("Asked for: {} at f {}, {}", mark.title(), mark.frame(), mark.miss_text());
     response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &label));
     let target = target_of(mark);
     if response.hovered() && target.is_some() {

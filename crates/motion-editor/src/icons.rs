@@ -22,12 +22,6 @@ pub const CLOSED: &str = "\u{e06f}";
 pub const LOOP: &str = "\u{e146}";
 /// Looks for something.
 pub const SEARCH: &str = "\u{e151}";
-/// The panel on the left.
-pub const PANEL_LEFT: &str = "\u{e12a}";
-/// The panel on the right.
-pub const PANEL_RIGHT: &str = "\u{e431}";
-/// The panel at the bottom.
-pub const PANEL_BOTTOM: &str = "\u{e42c}";
 /// The camera keeps to the character.
 pub const FOLLOW: &str = "\u{e1db}";
 /// Everything in view.

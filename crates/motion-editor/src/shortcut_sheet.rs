@@ -47,6 +47,7 @@ impl ShortcutSheet {
         let field = TextEdit::singleline(&mut self.wanted)
             .hint_text("Find a command or a key")
             .prefix(RichText::new(icons::SEARCH).font(theme::icon()).color(palette.faint))
+            .align(Align2::LEFT_CENTER)
             .desired_width(f32::INFINITY);
         let response = ui.add_sized([ui.available_width(), 28.0], field);
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Find a shortcut"));

@@ -224,6 +224,7 @@ impl EditorState {
         self.notices.clear_refusal();
         self.session.set_active(CharacterIdx(0));
         self.is_new_scene = true;
+        self.has_played = false;
         self.refresh();
     }
 }

@@ -7,8 +7,6 @@ use crate::icons;
 use crate::state::EditorState;
 use crate::theme;
 use crate::ui_command::{UiCommand as C, key_text, menus};
-use crate::viewport::described;
-use crate::widgets::icon_button::icon_button_ui;
 
 /// The bar.
 pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
@@ -28,16 +26,6 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.add_space(theme::GRID);
             ui.spacing_mut().item_spacing.x = 2.0;
-            for (icon, command) in [
-                (icons::PANEL_RIGHT, C::RightPanel),
-                (icons::PANEL_BOTTOM, C::Timeline),
-                (icons::PANEL_LEFT, C::LeftPanel),
-            ] {
-                let tooltip = described(command);
-                if icon_button_ui(ui, icon, &command.label(), &tooltip, false).clicked() {
-                    state.ask(command);
-                }
-            }
             ui.add_space(3.0 * theme::GRID);
             search_chip::search_chip_ui(ui, state);
             ui.add_space(3.0 * theme::GRID);

@@ -74,6 +74,8 @@ pub struct EditorState {
     preferences: Option<PreferencesFile>,
     /// Projects that were open lately and are still there, the latest first.
     pub recent: Vec<PathBuf>,
+    /// Whether the project's first motion was played by itself.
+    pub(crate) has_played: bool,
     /// Whether another project has come that the view has not framed yet.
     pub is_new_scene: bool,
     /// Takes of the active character that have a motion, in the gallery's order.
@@ -161,6 +163,7 @@ impl EditorState {
             settings,
             preferences,
             recent: recent.unwrap_or_default(),
+            has_played: false,
             is_new_scene: false,
             cards: Vec::new(),
             shown_before: None,
@@ -242,10 +245,10 @@ impl EditorState {
             self.notices.note(remark);
         }
         if polled.snapshot || polled.library {
-            let was_empty = self.cards.is_empty();
             self.refresh();
-            if was_empty && !self.cards.is_empty() {
+            if !self.has_played && !self.cards.is_empty() {
                 // A first look needs no key.
+                self.has_played = true;
                 self.play();
             }
         }

@@ -39,6 +39,7 @@ impl LibraryPanel {
         let field = TextEdit::singleline(&mut self.wanted)
             .hint_text(hint)
             .prefix(RichText::new(icons::SEARCH).font(theme::icon()).color(palette.faint))
+            .align(egui::Align2::LEFT_CENTER)
             .desired_width(f32::INFINITY);
         let response = ui.add_sized([ui.available_width(), theme::ICON_BUTTON], field);
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Find clips"));

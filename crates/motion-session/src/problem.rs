@@ -29,9 +29,20 @@ pub struct CharacterProblem {
     /// them; how far off they are is measured.
     pub joints: Vec<(String, JointConstraint)>,
     /// Poses that are to be taken, likewise.
-    pub poses: Vec<(String, PoseConstraint)>,
+    pub poses: Vec<(String, PlacedPose)>,
     /// Sentences on what the project asks and this version does not meet.
     pub left_out: Vec<String>,
+}
+
+/// A pose, and where it is to be taken if that is said.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedPose {
+    /// Which pose, and when.
+    pub pose: PoseConstraint,
+    /// Where the torso's frame is to be, metres along X and Z.
+    pub ground_m: Option<Vec2>,
+    /// Which way it is to face.
+    pub heading_rad: Option<f32>,
 }
 
 /// The problem of `character`. Errors name `project_path`.
@@ -91,7 +102,7 @@ fn measured(
     character: &Character,
     library: &Library,
     left_out: &mut Vec<String>,
-) -> (Vec<(String, JointConstraint)>, Vec<(String, PoseConstraint)>) {
+) -> (Vec<(String, JointConstraint)>, Vec<(String, PlacedPose)>) {
     let (mut joints, mut poses) = (Vec::new(), Vec::new());
     for Constraint { id, kind, weight, .. } in &character.constraints {
         match kind {
@@ -112,7 +123,7 @@ fn measured(
                 };
                 joints.push((id.clone(), wish));
             }
-            ConstraintKind::Pose { frame, clip, clip_frame, .. } => {
+            ConstraintKind::Pose { frame, clip, clip_frame, position_m, heading_deg, .. } => {
                 let Some(clip) = library.clips.by_id(clip) else {
                     left_out.push(format!(
                         "pose constraint {id:?} is of clip {clip:?}, which is not in the library"
@@ -120,7 +131,10 @@ fn measured(
                     continue;
                 };
                 let clip_frame = FrameIdx(*clip_frame);
-                poses.push((id.clone(), PoseConstraint { frame: *frame, clip, clip_frame }));
+                let pose = PoseConstraint { frame: *frame, clip, clip_frame };
+                let ground_m = position_m.map(|[x, z]| Vec2::new(x as f32, z as f32));
+                let heading_rad = heading_deg.map(|deg| deg.to_radians() as f32);
+                poses.push((id.clone(), PlacedPose { pose, ground_m, heading_rad }));
             }
             _ => {}
         }

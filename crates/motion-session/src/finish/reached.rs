@@ -1,14 +1,15 @@
 //! How far joints and poses that are asked for are off in a finished motion.
 
 use glam::Vec3;
-use motion_core::constraint::{JointConstraint, PoseConstraint};
+use motion_core::constraint::JointConstraint;
 use motion_core::ground::GroundTrack;
 use motion_core::motion::Motion;
+use motion_core::planar::PlanarTransform;
 use motion_io::report_file::ConstraintReport;
 
 use super::digits_of;
 use crate::Library;
-use crate::problem::CharacterProblem;
+use crate::problem::{CharacterProblem, PlacedPose};
 
 /// A report for each joint and pose constraint. One behind the motion's end is read at its last
 /// frame and is early by the frames between.
@@ -33,12 +34,13 @@ pub(super) fn reports(
         }
     });
     let poses = character.poses.iter().filter_map(|(id, wish)| {
-        let away_m = pose_error_m(library, motion, track, wish, read_at(wish.frame))?;
+        let frame = wish.pose.frame;
+        let away_m = pose_error_m(library, motion, track, wish, read_at(frame))?;
         Some(ConstraintReport {
             constraint: id.clone(),
             kind: "pose".to_owned(),
             position_error_m: Some(digits_of(away_m)),
-            frame_error: Some(early(wish.frame)).filter(|&frames| frames != 0),
+            frame_error: Some(early(frame)).filter(|&frames| frames != 0),
             ..ConstraintReport::default()
         })
     });
@@ -67,15 +69,16 @@ fn joint_error(
     (away_m, slip_m_s)
 }
 
-/// How far joints are from those of the pose, metres, on average, both placed by their torso
-/// frames; `None` where the clip has no such frame.
+/// How far joints are from those of the pose, metres, on average, where it is to be taken; what is
+/// left open of that is as it is in the motion. `None` where the clip has no such frame.
 fn pose_error_m(
     library: &Library,
     motion: &Motion,
     track: &GroundTrack,
-    wish: &PoseConstraint,
+    wish: &PlacedPose,
     frame: usize,
 ) -> Option<f32> {
+    let PlacedPose { pose: wish, ground_m, heading_rad } = wish;
     let clip = library.clips.clip(wish.clip);
     let clip_torso = *clip.track.world_from_torso.get(wish.clip_frame.idx())?;
     let torso = *track.world_from_torso.get(frame)?;
@@ -84,9 +87,11 @@ fn pose_error_m(
     motion.forward_kinematics(skeleton, frame, &mut is_m, &mut rotations);
     let clip_frame = wish.clip_frame.idx();
     clip.motion.forward_kinematics(skeleton, clip_frame, &mut asked_m, &mut rotations);
-    let (from_is, from_asked) = (torso.inverse(), clip_torso.inverse());
+    let (heading_rad, ground_m) =
+        (heading_rad.unwrap_or(torso.heading_rad()), ground_m.unwrap_or(torso.ground_m()));
+    let place = PlanarTransform::new(heading_rad, ground_m, torso.level_m);
+    let world_from_clip = place * clip_torso.inverse();
     let pairs = is_m.iter().zip(&asked_m);
-    let away_m: f32 =
-        pairs.map(|(is, ask)| from_is.apply(*is).distance(from_asked.apply(*ask))).sum();
+    let away_m: f32 = pairs.map(|(is, ask)| is.distance(world_from_clip.apply(*ask))).sum();
     Some(away_m / is_m.len() as f32)
 }

@@ -339,3 +339,31 @@ fn an_autosave_that_fails_is_tried_again_and_said_once() {
     }
     panic!("never tried again");
 }
+
+#[test]
+fn a_pose_is_missed_by_how_far_it_is_from_its_place() {
+    let mut session = session(None);
+    until(&mut session, "with a motion", has_motion);
+    session.search().pause();
+    until(&mut session, "paused", |s| s.state() == SearchState::Paused && motion_now(s).is_some());
+    let piece = session.shown().unwrap().take.pieces[0].clone();
+    let pose = |position_m: Option<[f64; 2]>| Command::AddPose {
+        character: CharacterIdx(0),
+        frame: 0,
+        clip: piece.clip.clone(),
+        clip_frame: piece.from,
+        position_m,
+        heading_deg: None,
+    };
+    // It begins at the origin with this very pose.
+    session.apply_all("Pose", &[pose(None), pose(Some([3.0, -4.0]))]).unwrap();
+    let miss_m = |s: &Session, nth: usize| {
+        let made = s.shown()?.take.made.as_ref()?;
+        let poses = made.report.final_.iter().filter(|report| report.kind == "pose");
+        poses.clone().nth(nth)?.position_error_m
+    };
+    until(&mut session, "measured", |s| miss_m(s, 1).is_some());
+    let (here, there) = (miss_m(&session, 0).unwrap(), miss_m(&session, 1).unwrap());
+    assert!(here < 0.05, "{here} m");
+    assert!((there - 5.0).abs() < 0.1, "{there} m");
+}

@@ -3,6 +3,8 @@
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::slice::from_ref;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use egui::{Key, Modifiers, Role, Vec2};
 use egui_kittest::Harness;
@@ -12,7 +14,8 @@ use motion_editor::dialogs::Answers;
 use motion_editor::project_source::ProjectSource;
 use motion_editor::state::EditorOptions;
 use motion_session::command::Command;
-use motion_session::{Warnings, load_project};
+use motion_session::session::ImportState;
+use motion_session::{Session, Warnings, load_project};
 
 use crate::window::can_draw;
 
@@ -149,10 +152,10 @@ fn samples_open_and_move() {
     crate::window::settle(&mut window);
     let state = &window.state().state;
     assert_eq!(state.session.document().characters().len(), 2);
-    let limit = std::time::Instant::now() + std::time::Duration::from_secs(60);
+    let limit = Instant::now() + Duration::from_secs(60);
     while window.state().state.stage.actors.len() < 2 {
-        assert!(std::time::Instant::now() < limit, "the second person never comes");
-        std::thread::sleep(std::time::Duration::from_millis(20));
+        assert!(Instant::now() < limit, "the second person never comes");
+        std::thread::sleep(Duration::from_millis(20));
         window.step();
     }
 }
@@ -177,4 +180,85 @@ fn the_shown_motion_is_exported_and_comes_back() {
     assert!(told.contains(&format!("{n_frames} frames")) && told.contains("1 mm"), "{told}");
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(text.contains(&format!("Frames: {n_frames}")));
+}
+
+/// A file that is dropped on the window.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Err("nobody reads it whole".to_owned())
+    }
+}
+
+fn drop_on(window: &mut Window, path: &Path) {
+    window.input_mut().dropped_files.push(Arc::new(Dropped(path.to_owned())));
+    window.run_steps(3);
+}
+
+#[test]
+fn clips_that_are_dropped_become_a_library_and_undo_brings_the_last_one_back() {
+    const LIMIT: Duration = Duration::from_secs(120);
+    let folder = tempfile::tempdir().unwrap();
+    let Some(mut window) = open(folder.path(), ProjectSource::Sample, &[]) else { return };
+    window.state_mut().state.settings.welcome_seen = true;
+    crate::window::settle(&mut window);
+    crate::window::quiet(&mut window);
+    let clips = folder.path().join("clips");
+    std::fs::create_dir(&clips).unwrap();
+    let state = &mut window.state_mut().state;
+    let (active, takes) = (state.session.active(), [state.cards[0].id, state.cards[1].id]);
+    for (take, name) in takes.into_iter().zip(["one.bvh", "two.bvh"]) {
+        let range = motion_session::session::ExportRange::Whole;
+        state.session.export_take(active, take, &clips.join(name), range).unwrap();
+    }
+    std::fs::write(clips.join("broken.bvh"), "HIERARCHY").unwrap();
+
+    drop_on(&mut window, &clips);
+    let start = Instant::now();
+    while !matches!(window.state().state.session.import(), ImportState::Done(_)) {
+        let import = window.state().state.session.import();
+        assert!(!matches!(import, ImportState::Failed(..)), "{import:?}");
+        assert!(start.elapsed() < LIMIT, "the import never ends: {import:?}");
+        std::thread::sleep(Duration::from_millis(30));
+        window.step();
+    }
+    window.run_steps(3);
+    let ids = |window: &Window| -> Vec<String> {
+        window.state().state.clips.iter().map(|clip| clip.id.clone()).collect()
+    };
+    assert_eq!(ids(&window), ["one", "two"]);
+    window.get_by_label("Report").click();
+    window.run_steps(3);
+    window.get_by_label_contains("broken.bvh");
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    let start = Instant::now();
+    while ids(&window).len() < 10 {
+        assert!(start.elapsed() < LIMIT, "the built-in clips never come back");
+        std::thread::sleep(Duration::from_millis(30));
+        window.step();
+    }
+
+    let other = folder.path().join("other.gaitway");
+    let project = motion_session::sample::SAMPLES[1].project().unwrap();
+    save_elsewhere(&project, &other);
+    drop_on(&mut window, &other);
+    assert_eq!(name(&window), "run and stop");
+}
+
+/// As another program would have saved it.
+fn save_elsewhere(project: &motion_session::Project, path: &Path) {
+    let state = tempfile::tempdir().unwrap();
+    let options = motion_session::session::SessionOptions {
+        state_folder: Some(state.path().to_owned()),
+        wake: Arc::new(|| ()),
+        builtin: None,
+        project: Some(project.clone()),
+    };
+    Session::new(options).unwrap().save_as(path).unwrap();
 }

@@ -20,11 +20,7 @@ pub fn by_hand_ui(ui: &mut Ui, state: &mut EditorState) {
         return;
     }
     let n = state.hand_layer().map_or(0, |layer| layer.edits().count());
-    let beside = match n {
-        0 => String::new(),
-        1 => "1 place".to_owned(),
-        n => format!("{n} places"),
-    };
+    let beside = if n == 0 { String::new() } else { n.to_string() };
     heading_ui(ui, "Changes", &beside);
     if n == 0 {
         empty_ui(ui, "Press I and drag a hand to change this take by hand");

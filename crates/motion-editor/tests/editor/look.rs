@@ -5,6 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use motion_editor::app::EditorApp;
 use motion_editor::settings::GhostMode;
+use motion_editor::settings::Tool;
 use motion_editor::{timeline, viewport};
 
 use crate::window::{open, quiet, solved};
@@ -100,4 +101,31 @@ fn a_picture_is_drawn_only_when_something_changed() {
     harness.key_press(Key::ArrowRight);
     harness.run_steps(3);
     assert_eq!(harness.state().viewport.n_drawn(), n_drawn + 1);
+}
+
+#[test]
+fn a_clips_box_switches_it_and_its_name_takes_its_pose() {
+    let Some(mut harness) = solved() else { return };
+    quiet(&mut harness);
+    let row = harness.get_by_label_contains("Clip walk_slow").rect();
+    let click = |harness: &mut Harness<'_, EditorApp>, at: egui::Pos2| {
+        harness.drag_at(at);
+        harness.run_steps(2);
+        harness.drop_at(at);
+        harness.run_steps(3);
+    };
+    click(&mut harness, row.left_center() + Vec2::new(8.0, 0.0));
+    let is_in = |harness: &Harness<'_, EditorApp>| {
+        let clips = &harness.state().state.clips;
+        clips.iter().find(|clip| clip.id == "walk_slow").map(|clip| clip.is_in_palette)
+    };
+    assert_eq!(is_in(&harness), Some(false));
+    harness.key_press_modifiers(Modifiers::CTRL, Key::Z);
+    harness.run_steps(3);
+    assert_eq!(is_in(&harness), Some(true), "one step");
+    click(&mut harness, row.center());
+    let state = &harness.state().state;
+    assert_eq!(state.pose_clip.as_ref().map(|(clip, _)| clip.as_str()), Some("walk_slow"));
+    assert_eq!(state.settings.tool, Tool::Pose);
+    assert_eq!(state.session.history().n_steps().0, 0, "nothing is asked yet");
 }

@@ -8,6 +8,7 @@ use motion_session::command::Command;
 use motion_session::palette::{palette_with, tagged_clips};
 
 use crate::icons;
+use crate::settings::Tool;
 use crate::state::EditorState;
 use crate::theme;
 
@@ -73,6 +74,8 @@ fn line_ui(ui: &mut Ui, clip: &ClipRow, is_used: bool, state: &mut EditorState) 
     let by_click = response.clicked() && response.interact_pointer_pos().is_some_and(is_over_box);
     if by_key || by_click {
         switch(clip, state);
+    } else if response.clicked() {
+        take_pose(clip, state);
     }
     let is_hovered = response.hovered() || response.has_focus();
     response.on_hover_ui(|ui| about_ui(ui, clip));
@@ -105,6 +108,15 @@ fn about_ui(ui: &mut Ui, clip: &ClipRow) {
     }
     let in_use = if clip.is_in_palette { "May be used" } else { "May not be used" };
     ui.label(format!("{in_use}; the box changes that"));
+    ui.label("A click takes the pose that is shown, to be put down in the view");
+}
+
+/// Takes the pose that is shown of a clip for the pose tool, which puts it down.
+fn take_pose(clip: &ClipRow, state: &mut EditorState) {
+    let preview = state.preview.as_ref().filter(|preview| preview.clip == clip.id);
+    let frame = preview.map_or(0, |preview| preview.frame as u32);
+    state.pose_clip = Some((clip.id.clone(), frame));
+    state.settings.tool = Tool::Pose;
 }
 
 /// Lets the search use a clip, or no longer, as one step.

@@ -160,19 +160,9 @@ pub fn pointer_in(ui: &Ui, sight: &Sight) -> Pos2 {
     ui.input(|input| input.pointer.latest_pos()).unwrap_or(sight.rect.center())
 }
 
+/// The digit that a key types.
 fn digit(key: Key) -> Option<char> {
-    const DIGITS: [Key; 10] = [
-        Key::Num0,
-        Key::Num1,
-        Key::Num2,
-        Key::Num3,
-        Key::Num4,
-        Key::Num5,
-        Key::Num6,
-        Key::Num7,
-        Key::Num8,
-        Key::Num9,
-    ];
-    let at = DIGITS.iter().position(|known| *known == key)?;
-    char::from_digit(at as u32, 10)
+    let mut letters = key.name().chars();
+    let first = letters.next().filter(char::is_ascii_digit)?;
+    letters.next().is_none().then_some(first)
 }

@@ -1,6 +1,6 @@
 //! Everything that was said, on one page.
 
-use egui::{Align, Button, Layout, RichText, ScrollArea, Ui, Window};
+use egui::{Align, Align2, Button, Layout, RichText, ScrollArea, Ui, Window};
 use motion_scene::color::ColorRole;
 
 use crate::notices::{Notices, Weight};
@@ -13,6 +13,8 @@ pub fn log_window_ui(ui: &Ui, notices: &Notices, is_open: &mut bool) {
         .open(is_open)
         .collapsible(false)
         .default_size([560.0, 320.0])
+        .pivot(Align2::CENTER_CENTER)
+        .default_pos(ui.ctx().content_rect().center())
         .show(ui.ctx(), |ui| contents_ui(ui, notices));
 }
 

@@ -1,6 +1,6 @@
 //! What can be set, on one page.
 
-use egui::{Checkbox, ComboBox, Grid, RichText, Slider, Ui, Window};
+use egui::{Align2, Checkbox, ComboBox, Grid, RichText, Slider, Ui, Vec2, Window};
 use motion_scene::color::Theme;
 use motion_session::preferences::UI_SCALES;
 
@@ -16,6 +16,7 @@ pub fn settings_window_ui(ui: &Ui, settings: &mut Settings, is_open: &mut bool) 
         .collapsible(false)
         .resizable(false)
         .default_width(380.0)
+        .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
         .show(ui.ctx(), |ui| contents_ui(ui, settings));
     if settings.theme != before.theme {
         theme::choose(ui.ctx(), settings.theme);

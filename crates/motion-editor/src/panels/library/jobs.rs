@@ -1,7 +1,7 @@
 //! What goes on in the background: a library that is opened or built, clips that are imported.
 
 use egui::{
-    Align, Button, Layout, ProgressBar, RichText, Role, ScrollArea, Ui, WidgetInfo, Window,
+    Align, Align2, Button, Layout, ProgressBar, RichText, Role, ScrollArea, Ui, WidgetInfo, Window,
 };
 use motion_scene::color::ColorRole;
 use motion_session::import_report::{ImportOutcome, ImportReport};
@@ -103,6 +103,8 @@ pub(super) fn report_ui(ui: &Ui, state: &EditorState, is_open: &mut bool) {
         .open(is_open)
         .collapsible(false)
         .default_size([640.0, 420.0])
+        .pivot(Align2::CENTER_CENTER)
+        .default_pos(ui.ctx().content_rect().center())
         .show(ui.ctx(), |ui| lines_ui(ui, report));
 }
 

@@ -217,7 +217,7 @@ fn clips_that_are_dropped_become_a_library_and_undo_brings_the_last_one_back() {
         let range = motion_session::session::ExportRange::Whole;
         state.session.export_take(active, take, &clips.join(name), range).unwrap();
     }
-    std::fs::write(clips.join("broken.bvh"), "HIERARCHY").unwrap();
+    std::fs::File::create(clips.join("broken.bvh")).unwrap();
 
     drop_on(&mut window, &clips);
     let start = Instant::now();
@@ -253,12 +253,13 @@ fn clips_that_are_dropped_become_a_library_and_undo_brings_the_last_one_back() {
 
 /// As another program would have saved it.
 fn save_elsewhere(project: &motion_session::Project, path: &Path) {
-    let state = tempfile::tempdir().unwrap();
+    let state = tempfile::tempdir().expect("a temporary folder");
     let options = motion_session::session::SessionOptions {
         state_folder: Some(state.path().to_owned()),
         wake: Arc::new(|| ()),
         builtin: None,
         project: Some(project.clone()),
     };
-    Session::new(options).unwrap().save_as(path).unwrap();
+    let mut session = Session::new(options).expect("threads");
+    session.save_as(path).expect("it can be saved");
 }

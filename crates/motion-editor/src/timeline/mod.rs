@@ -18,6 +18,7 @@ pub mod mark_shape;
 pub mod navigate;
 pub mod other_rows;
 pub mod point_row;
+pub mod pose_drop;
 pub mod retime;
 pub mod ribbon;
 pub mod row;
@@ -141,6 +142,7 @@ impl TimelinePanel {
         let by = navigate::navigate_ui(ui, &ground, (panel, lanes), axis, can_scroll, state);
         self.scroll_pt = (self.scroll_pt + by).clamp(0.0, max_scroll);
         take_drop::take_drop_ui(ui, &ground, lanes, axis, state);
+        pose_drop::pose_drop_ui(ui, lanes, axis, state);
     }
 
     /// The axis for today's width and length.

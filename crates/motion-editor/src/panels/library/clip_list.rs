@@ -11,12 +11,13 @@ use crate::icons;
 use crate::settings::Tool;
 use crate::state::EditorState;
 use crate::theme;
+use crate::viewport::gesture::pose::PoseDrag;
 
 /// Half of a check box, points.
 const HALF_BOX_PT: f32 = 7.0;
 
 /// The list. The box at the left switches a clip on and off, a rest of the pointer plays it in the
-/// view, a click takes its pose for the pose tool.
+/// view, a click takes its pose for the pose tool, and a drag brings it to the floor or a frame.
 pub(super) fn clip_list_ui(ui: &mut Ui, found: &[ClipRow], state: &mut EditorState) {
     let used: Vec<String> = match state.shown_card() {
         Some(card) => card.lane.pieces.iter().map(|piece| piece.clip.clone()).collect(),
@@ -40,7 +41,7 @@ pub(super) fn clip_list_ui(ui: &mut Ui, found: &[ClipRow], state: &mut EditorSta
 fn line_ui(ui: &mut Ui, clip: &ClipRow, is_used: bool, state: &mut EditorState) -> bool {
     let palette = theme::of(ui);
     let size = Vec2::new(ui.available_width(), theme::ROW_HEIGHT);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let label = format!("Clip {}, {:.1} s", clip.id, clip.secs);
     let is_on = clip.is_in_palette;
     response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_on, &label));
@@ -76,6 +77,9 @@ fn line_ui(ui: &mut Ui, clip: &ClipRow, is_used: bool, state: &mut EditorState) 
         switch(clip, state);
     } else if response.clicked() {
         take_pose(clip, state);
+    } else if response.drag_started() {
+        take_pose(clip, state);
+        response.dnd_set_drag_payload(PoseDrag);
     }
     let is_hovered = response.hovered() || response.has_focus();
     response.on_hover_ui(|ui| about_ui(ui, clip));
@@ -108,7 +112,7 @@ fn about_ui(ui: &mut Ui, clip: &ClipRow) {
     }
     let in_use = if clip.is_in_palette { "May be used" } else { "May not be used" };
     ui.label(format!("{in_use}; the box changes that"));
-    ui.label("A click takes the pose that is shown, to be put down in the view");
+    ui.label("A click takes the pose that is shown; drag it to the floor or the timeline");
 }
 
 /// Takes the pose that is shown of a clip for the pose tool, which puts it down.

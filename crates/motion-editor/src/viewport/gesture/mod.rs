@@ -26,7 +26,7 @@ use by_hand::HandPull;
 use carry::Carry;
 use joint::{AimedJoint, Pull};
 use modal::{Kind, Modal, Next};
-use pose::PoseAim;
+use pose::{PoseAim, PoseDrag};
 use retime::Retime;
 use sight::Sight;
 use snap::{GRID_M, heading_deg, snapped};
@@ -198,9 +198,15 @@ impl Gesture {
         };
         self.is_posing = state.settings.tool == Tool::Pose && mouse.is_over;
         if self.is_posing {
-            // While the button is down it stays, and looks towards the pointer.
-            let floor_m = sight.floor(mouse.at).filter(|_| !mouse.is_down);
+            // While the button is down it stays, and looks towards the pointer, unless it is still
+            // on its way from the library.
+            let stays = mouse.is_down && !PoseDrag::is_under_way(ui);
+            let floor_m = sight.floor(mouse.at).filter(|_| !stays);
             self.pose.ui(ui, floor_m, mouse.is_snapping, state);
+            if PoseDrag::is_dropped(ui) {
+                self.pose.put_down(state);
+                state.settings.tool = Tool::Select;
+            }
         }
     }
 
@@ -295,12 +301,7 @@ impl Gesture {
                 let rect = Rect::from_two_pos(from, mouse.at);
                 box_select::select_in(rect, sight, mouse.is_snapping, state);
             }
-            Doing::Pose(_) => {
-                let commands = self.pose.commands(state).unwrap_or_default();
-                if !commands.is_empty() && state.apply_all("Add pose", &commands) {
-                    state.select_newest();
-                }
-            }
+            Doing::Pose(_) => self.pose.put_down(state),
             _ if is_edit => {
                 let is_new = doing.is_new();
                 state.commit();

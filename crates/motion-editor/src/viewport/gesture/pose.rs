@@ -1,6 +1,6 @@
 //! Poses of clips put on the floor.
 
-use egui::{Key, Ui};
+use egui::{DragAndDrop, Key, Ui};
 use glam::{Mat4, Vec2};
 use motion_session::command::Command;
 use motion_session::stage::pose_wishes::{place_in_clip, placed_pose};
@@ -12,6 +12,26 @@ use crate::state::moving::{rounded, wrapped_deg};
 
 /// A notch of the wheel turns by this, degrees.
 const NOTCH_DEG: f64 = 5.0;
+
+/// A clip's pose that is carried from the library; which one is [`EditorState::pose_clip`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PoseDrag;
+
+impl PoseDrag {
+    /// Whether one is carried.
+    pub fn is_under_way(ui: &Ui) -> bool {
+        DragAndDrop::has_payload_of_type::<Self>(ui.ctx())
+    }
+
+    /// Whether one is let go of now; then it is carried no more.
+    pub fn is_dropped(ui: &Ui) -> bool {
+        let is_dropped = Self::is_under_way(ui) && ui.input(|input| input.pointer.any_released());
+        if is_dropped {
+            DragAndDrop::clear_payload(ui.ctx());
+        }
+        is_dropped
+    }
+}
 
 /// The pose that the pointer would put down.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -104,6 +124,14 @@ impl PoseAim {
     pub fn words(&self, state: &EditorState) -> Option<String> {
         let (clip, frame) = source(state)?;
         Some(format!("{clip}:{frame} · {:.0}° · at f {}", self.heading_deg, state.frame_number()))
+    }
+
+    /// Puts it down, as one step, and selects it.
+    pub fn put_down(&self, state: &mut EditorState) {
+        let commands = self.commands(state).unwrap_or_default();
+        if !commands.is_empty() && state.apply_all("Add pose", &commands) {
+            state.select_newest();
+        }
     }
 
     /// What puts it down, at the playhead.

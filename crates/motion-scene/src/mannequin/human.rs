@@ -184,12 +184,14 @@ impl Human {
                     let toward_head = self.neck.distance_m(p) - self.head.distance_m(p);
                     smooth(toward_head, -0.028 * s, 0.028 * s)
                 } else if idx + 1 >= neck_from {
-                    let h = height(next_at).clamp(chest, skull);
+                    let h = height(next_at).clamp(chest, skull.max(chest));
                     let aside = ((p - f.chest_m).dot(frame.v).abs() - 0.05 * s).max(0.0);
                     let at_p = height(p) - 0.8 * aside;
                     smooth(at_p, h - 0.03 * s, h + 0.04 * s)
                 } else {
-                    let h = height(next_at).clamp(0.07 * s, chest - 0.08 * s);
+                    // A trunk may be shorter than what is kept free below and above.
+                    let low = 0.07 * s;
+                    let h = height(next_at).clamp(low, (chest - 0.08 * s).max(low));
                     let reach = (0.6 * at.distance(next_at)).clamp(0.05 * s, 0.075 * s);
                     smooth(height(p), h - reach, h + reach)
                 };

@@ -7,13 +7,17 @@ mod sole;
 
 use std::collections::BTreeSet;
 
+use glam::DVec3;
+
 use super::*;
 use bodies::{child, cmu, dog, every_human, lafan, mixamo, robot_arm};
 
 fn volume_litres(mesh: &SkinnedMesh) -> f32 {
-    let at = |v: u32| mesh.vertices()[v as usize].position_m;
+    // About a point of its own: seen from far away, a thin body's parts cancel to noise.
+    let from = mesh.vertices().first().map_or(DVec3::ZERO, |vertex| vertex.position_m.as_dvec3());
+    let at = |v: u32| mesh.vertices()[v as usize].position_m.as_dvec3() - from;
     let sixth = |t: &[u32; 3]| at(t[0]).dot(at(t[1]).cross(at(t[2])));
-    mesh.triangles().iter().map(sixth).sum::<f32>() / 6.0 * 1e3
+    (mesh.triangles().iter().map(sixth).sum::<f64>() / 6.0 * 1e3) as f32
 }
 
 /// Checks that every edge has two triangles, one each way, that none is without area, and that

@@ -21,19 +21,19 @@ pub struct Canvas {
     state: RenderState,
     renderer: Renderer,
     picker: Picker,
-    targets: Option<(Targets, TextureId)>,
-    /// Views beside the main one, each with what it shows.
-    beside: Vec<Beside>,
+    /// The main view, in which things are picked.
+    main: Option<Drawing>,
+    /// Views beside the main one.
+    beside: Vec<Drawing>,
     models: BTreeMap<MeshId, Arc<BodyModel>>,
-    drawn: Option<(Scene, View)>,
-    /// How many pictures were drawn.
+    /// How many pictures of the main view were drawn.
     n_drawn: u64,
     /// Whether a question to the picker has no answer yet.
     is_asking: bool,
 }
 
-/// A view beside the main one.
-struct Beside {
+/// A view with what it shows.
+struct Drawing {
     targets: Targets,
     texture: TextureId,
     drawn: Option<(Scene, View)>,
@@ -50,10 +50,9 @@ impl Canvas {
             state: state.clone(),
             renderer: Renderer::new(&gpu),
             picker: Picker::new(&gpu),
-            targets: None,
+            main: None,
             beside: Vec::new(),
             models: BTreeMap::new(),
-            drawn: None,
             n_drawn: 0,
             is_asking: false,
         }
@@ -95,8 +94,7 @@ impl Canvas {
         }
         self.renderer.set_model(id, model);
         self.models.insert(id, Arc::clone(model));
-        self.drawn = None;
-        self.beside.iter_mut().for_each(|view| view.drawn = None);
+        self.main.iter_mut().chain(&mut self.beside).for_each(|view| view.drawn = None);
     }
 
     /// Draws `scene` as large as `size_pt`, and gives the picture.
@@ -108,22 +106,10 @@ impl Canvas {
         pixels_per_point: f32,
     ) -> TextureId {
         let view = view_of(camera, size_pt, pixels_per_point);
-        let size_px = (view.width_px, view.height_px);
-        let old = self.targets.take();
-        let (mut targets, texture) = match old {
-            Some((targets, texture)) if targets.size_px() == size_px => (targets, texture),
-            old => {
-                self.drawn = None;
-                self.resized(old.map(|(_, texture)| texture), &view)
-            }
-        };
-        if self.drawn.as_ref().is_none_or(|(drawn, from)| *drawn != scene || *from != view) {
-            self.renderer.draw(&scene, &view, &mut targets);
-            self.n_drawn += 1;
-            self.drawn = Some((scene, view));
-        }
-        self.targets = Some((targets, texture));
-        texture
+        let old = self.main.take();
+        let (drawing, is_new) = self.brought_to(old, scene, view);
+        self.n_drawn += u64::from(is_new);
+        self.main.insert(drawing).texture
     }
 
     /// Draws `scene` for the view number `nth` beside the main one (from 0), which has to come after
@@ -137,21 +123,31 @@ impl Canvas {
         pixels_per_point: f32,
     ) -> TextureId {
         let view = view_of(camera, size_pt, pixels_per_point);
+        let old = (nth < self.beside.len()).then(|| self.beside.remove(nth));
+        let (drawing, _) = self.brought_to(old, scene, view);
+        let texture = drawing.texture;
+        self.beside.insert(nth.min(self.beside.len()), drawing);
+        texture
+    }
+
+    /// A view that shows `scene`: the `old` one where its size is right. Gives whether anything had
+    /// to be drawn for it.
+    fn brought_to(&mut self, old: Option<Drawing>, scene: Scene, view: View) -> (Drawing, bool) {
         let size_px = (view.width_px, view.height_px);
-        let is_new = nth >= self.beside.len();
-        if is_new || self.beside[nth].targets.size_px() != size_px {
-            let old = (!is_new).then(|| self.beside.remove(nth).texture);
-            let (targets, texture) = self.resized(old, &view);
-            let at = nth.min(self.beside.len());
-            self.beside.insert(at, Beside { targets, texture, drawn: None });
+        let mut drawing = match old {
+            Some(drawing) if drawing.targets.size_px() == size_px => drawing,
+            old => {
+                let (targets, texture) = self.resized(old.map(|old| old.texture), &view);
+                Drawing { targets, texture, drawn: None }
+            }
+        };
+        let shows = |(drawn, from): &(Scene, View)| *drawn == scene && *from == view;
+        let is_new = !drawing.drawn.as_ref().is_some_and(shows);
+        if is_new {
+            self.renderer.draw(&scene, &view, &mut drawing.targets);
+            drawing.drawn = Some((scene, view));
         }
-        let at = nth.min(self.beside.len() - 1);
-        let beside = &mut self.beside[at];
-        if beside.drawn.as_ref().is_none_or(|(drawn, from)| *drawn != scene || *from != view) {
-            self.renderer.draw(&scene, &view, &mut beside.targets);
-            beside.drawn = Some((scene, view));
-        }
-        beside.texture
+        (drawing, is_new)
     }
 
     /// Lets go of the views beside the main one past the first `n`. To be called before anything of
@@ -201,7 +197,9 @@ impl Canvas {
     /// Asks what is under a place of the picture that was drawn last, unless an answer is still
     /// waited for. Nothing waits here; [`Self::picked`] has the answer in a later frame.
     pub fn ask(&mut self, at: Pos2, rect: Rect) {
-        let Some((scene, view)) = &self.drawn else { return };
+        let Some((scene, view)) = self.main.as_ref().and_then(|main| main.drawn.as_ref()) else {
+            return;
+        };
         if self.is_asking {
             return;
         }

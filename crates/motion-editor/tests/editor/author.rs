@@ -1,6 +1,6 @@
 //! Checkpoints placed, moved and taken back, with the mouse and keys.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
+use egui::{Key, Modifiers, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use motion_editor::app::EditorApp;
@@ -8,33 +8,13 @@ use motion_editor::mark::Mark;
 use motion_editor::viewport;
 use motion_session::ConstraintKind;
 
-use crate::window::{settle, solved};
+use crate::window::{drag, settle, solved};
 
 type Window = Harness<'static, EditorApp>;
 
 /// Frames of the body constraints.
 fn frames(harness: &Window) -> Vec<usize> {
     harness.state().state.marks.iter().map(Mark::frame).collect()
-}
-
-/// A press, a way in several steps, a release.
-fn drag(harness: &mut Window, from: Pos2, by: Vec2) {
-    let button = |pos, pressed| Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    harness.event(Event::PointerMoved(from));
-    harness.run_steps(8);
-    harness.event(button(from, true));
-    harness.run_steps(2);
-    for step in 1..=4 {
-        harness.event(Event::PointerMoved(from + by * (step as f32 / 4.0)));
-        harness.run_steps(2);
-    }
-    harness.event(button(from + by, false));
-    harness.run_steps(2);
 }
 
 #[test]

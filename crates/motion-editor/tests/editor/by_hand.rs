@@ -1,6 +1,6 @@
 //! The shown take changed by hand, with the mouse and keys.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Vec2};
+use egui::{Event, Key, Modifiers, Pos2, Rect, Role, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use glam::Vec3;
@@ -12,7 +12,7 @@ use motion_session::command::Command;
 use motion_session::document::{CharacterIdx, ConstraintRef, HandChange, HandEdit};
 use motion_session::session::ExportRange;
 
-use crate::window::{quiet, settle, solved};
+use crate::window::{button, drag, hold, quiet, settle, solved};
 
 type Window = Harness<'static, EditorApp>;
 
@@ -30,29 +30,6 @@ fn with_tool() -> Option<Window> {
     assert_eq!(harness.state().state.settings.tool, Tool::ByHand, "the key's tool");
     assert_eq!(harness.state().state.right_tab, RightTab::ByHand, "and its tab");
     Some(harness)
-}
-
-fn button(pos: Pos2, pressed: bool) -> Event {
-    let modifiers = Modifiers::NONE;
-    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers }
-}
-
-/// Presses, moves in several steps, and holds.
-fn hold(harness: &mut Window, from: Pos2, by: Vec2) {
-    harness.event(Event::PointerMoved(from));
-    harness.run_steps(3);
-    harness.event(button(from, true));
-    harness.run_steps(2);
-    for step in 1..=4 {
-        harness.event(Event::PointerMoved(from + by * (step as f32 / 4.0)));
-        harness.run_steps(2);
-    }
-}
-
-fn drag(harness: &mut Window, from: Pos2, by: Vec2) {
-    hold(harness, from, by);
-    harness.event(button(from + by, false));
-    harness.run_steps(3);
 }
 
 /// Where a joint of the shown take is at a frame of what is shown, metres.

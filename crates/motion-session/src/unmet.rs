@@ -12,7 +12,7 @@ pub fn unmet(character: &CharacterProblem, library: &Library, found: &Found) -> 
     let wishes = &character.problem.wishes;
     if let Some(best) = found.alternatives.first() {
         for (id, error) in character.body_ids.iter().zip(&best.judgement.body) {
-            if error.is_within_tolerance() {
+            if error.is_within(&motion_core::constraint::Tolerance::default()) {
                 continue;
             }
             let mut parts = Vec::new();
@@ -113,6 +113,7 @@ mod tests {
             heading_rad: 0.0,
             height_m: None,
             weight: 1.0,
+            tolerance: motion_core::constraint::Tolerance::default(),
         };
         let (start, end, near) = (at(0, 0.0), at(150, 100.0), at(300, 110.0));
         let body = [("start", &start), ("end", &end), ("near", &near)];

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{TOLERANCE_FRAMES, TOLERANCE_M, TOLERANCE_RAD};
+use super::Tolerance;
 use crate::planar::PlanarTransform;
 
 /// A checkpoint. The first of a character is always met (it places the motion); the last is read
@@ -20,6 +20,8 @@ pub struct BodyConstraint {
     pub height_m: Option<f32>,
     /// Factor of the squared error.
     pub weight: f32,
+    /// How far off is well, of each part.
+    pub tolerance: Tolerance,
 }
 
 /// How far a body constraint is missed.
@@ -36,20 +38,20 @@ pub struct BodyError {
 }
 
 impl BodyError {
-    /// Whether every part lies within one tolerance.
-    pub fn is_within_tolerance(&self) -> bool {
-        self.position_m <= TOLERANCE_M
-            && self.heading_rad <= TOLERANCE_RAD
-            && self.height_m.abs() <= TOLERANCE_M
-            && self.frames.unsigned_abs() as f32 <= TOLERANCE_FRAMES
+    /// Whether every part lies within `tolerance`.
+    pub fn is_within(&self, tolerance: &Tolerance) -> bool {
+        self.position_m <= tolerance.position_m
+            && self.heading_rad <= tolerance.heading_rad
+            && self.height_m.abs() <= tolerance.position_m
+            && self.frames.unsigned_abs() as f32 <= tolerance.frames
     }
 
-    /// The sum of squares in tolerances.
-    pub fn squared(&self) -> f32 {
-        (self.position_m / TOLERANCE_M).powi(2)
-            + (self.height_m / TOLERANCE_M).powi(2)
-            + (self.heading_rad / TOLERANCE_RAD).powi(2)
-            + (self.frames as f32 / TOLERANCE_FRAMES).powi(2)
+    /// The sum of squares in units of `tolerance`.
+    pub fn squared(&self, tolerance: &Tolerance) -> f32 {
+        (self.position_m / tolerance.position_m).powi(2)
+            + (self.height_m / tolerance.position_m).powi(2)
+            + (self.heading_rad / tolerance.heading_rad).powi(2)
+            + (self.frames as f32 / tolerance.frames).powi(2)
     }
 }
 
@@ -72,106 +74,39 @@ impl BodyConstraint {
     }
 }
 
-/// A [`BodyConstraint`] prepared for scoring millions of candidates.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct BodyTarget {
-    pub(crate) frame: u32,
-    pub(crate) world_from_torso: PlanarTransform,
-    has_height: bool,
-    pub(crate) weight: f32,
-}
-
-impl BodyTarget {
-    pub(crate) fn new(constraint: &BodyConstraint) -> Self {
-        Self {
-            frame: constraint.frame,
-            world_from_torso: constraint.world_from_torso(),
-            has_height: constraint.height_m.is_some(),
-            weight: constraint.weight,
-        }
-    }
-
-    /// Weighted square of the position and height error, in tolerances: no trigonometry.
-    #[inline]
-    pub(crate) fn place_cost(&self, at: PlanarTransform) -> f32 {
-        let target = self.world_from_torso;
-        let (dx, dz) = (at.x_m - target.x_m, at.z_m - target.z_m);
-        let rise = if self.has_height { at.level_m - target.level_m } else { 0.0 };
-        self.weight * (dx * dx + dz * dz + rise * rise) * (1.0 / (TOLERANCE_M * TOLERANCE_M))
-    }
-
-    /// Weighted square of the heading error, in tolerances.
-    #[inline]
-    pub(crate) fn heading_cost(&self, at: PlanarTransform) -> f32 {
-        let target = self.world_from_torso;
-        let cos = at.cos() * target.cos() + at.sin() * target.sin();
-        let sin = at.sin() * target.cos() - at.cos() * target.sin();
-        let angle = sin.atan2(cos);
-        self.weight * angle * angle * (1.0 / (TOLERANCE_RAD * TOLERANCE_RAD))
-    }
-
-    /// A lower bound of [`Self::heading_cost`]: a chord is never longer than its arc.
-    #[inline]
-    pub(crate) fn heading_cost_at_least(&self, at: PlanarTransform) -> f32 {
-        let target = self.world_from_torso;
-        let cos = at.cos() * target.cos() + at.sin() * target.sin();
-        self.weight * (2.0 - 2.0 * cos).max(0.0) * (1.0 / (TOLERANCE_RAD * TOLERANCE_RAD))
-    }
-
-    #[inline]
-    pub(crate) fn cost(&self, at: PlanarTransform) -> f32 {
-        self.place_cost(at) + self.heading_cost(at)
-    }
-
-    /// Weighted square of being early or late by so many frames, in tolerances.
-    #[inline]
-    pub(crate) fn frame_cost(&self, frames_late: f32) -> f32 {
-        self.weight * (frames_late / TOLERANCE_FRAMES).powi(2)
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::*;
 
-    proptest! {
-        #[test]
-        fn the_fast_cost_is_the_squared_error(
-            heading in -3f32..3.0, x in -5f32..5.0, z in -5f32..5.0, level in -1f32..1.0,
-            at_heading in -3f32..3.0, at_x in -5f32..5.0, weight in 0f32..3.0, with_height: bool,
-        ) {
-            let constraint = BodyConstraint {
-                frame: 10,
-                position_m: Vec2::new(x, z),
-                heading_rad: heading,
-                height_m: with_height.then_some(0.2),
-                weight,
-            };
-            let at = PlanarTransform::new(at_heading, Vec2::new(at_x, z), level);
-            let slow = weight * constraint.error(at, 0).squared();
-            let target = BodyTarget::new(&constraint);
-            prop_assert!((target.cost(at) - slow).abs() <= 1e-4 * slow + 1e-3);
-            prop_assert!(target.heading_cost_at_least(at) <= target.heading_cost(at) + 1e-3);
-        }
-    }
-
     #[test]
-    fn one_tolerance_of_each_kind_counts_one() {
+    fn one_tolerance_of_each_part_counts_one() {
+        let tolerance = Tolerance { position_m: 0.2, heading_rad: 0.1, frames: 5.0 };
         let constraint = BodyConstraint {
             frame: 0,
             position_m: Vec2::ZERO,
             heading_rad: 0.0,
-            height_m: None,
+            height_m: Some(1.0),
             weight: 1.0,
+            tolerance,
         };
-        let there = |heading, x| PlanarTransform::new(heading, Vec2::new(x, 0.0), 0.0);
-        for (at, late) in
-            [(there(0.0, 0.3), 0), (there(TOLERANCE_RAD, 0.0), 0), (there(0.0, 0.0), -10)]
-        {
+        let there = |heading, x, level| PlanarTransform::new(heading, Vec2::new(x, 0.0), level);
+        for (at, late) in [
+            (there(0.0, 0.2, 1.0), 0),
+            (there(0.1, 0.0, 1.0), 0),
+            (there(0.0, 0.0, 1.2), 0),
+            (there(0.0, 0.0, 1.0), -5),
+        ] {
             let error = constraint.error(at, late);
-            assert!((error.squared() - 1.0).abs() < 1e-4, "{error:?}");
+            assert!((error.squared(&tolerance) - 1.0).abs() < 1e-4, "{error:?}");
         }
+    }
+
+    #[test]
+    fn what_is_not_asked_does_not_count() {
+        let anywhere = f32::INFINITY;
+        let tolerance = Tolerance { position_m: anywhere, ..Tolerance::default() };
+        let error = BodyError { position_m: 70.0, ..BodyError::default() };
+        assert!(error.is_within(&tolerance), "any place is well");
+        assert_eq!(error.squared(&tolerance), 0.0);
     }
 }

@@ -3,26 +3,31 @@
 //! Errors are counted in **tolerances**: 10 frames, 0.30 m and 10° are one each, and a soft
 //! constraint adds the square of its error times its weight to the score.
 //!
-//! The search meets lengths, body constraints and the ground; the other kinds have their data
-//! here and are reported as not considered.
+//! Poses and locks are hard: a motion that does not show them is none. The others are soft.
 
 pub mod body;
+pub mod clearance;
 pub mod environment;
 pub mod follow;
 pub mod joint;
 pub mod length;
 pub mod lock;
+pub mod obstacle;
 pub mod pose;
 pub mod style;
+pub mod tolerance;
 
 pub use body::{BodyConstraint, BodyError};
+pub use clearance::OtherBody;
 pub use environment::SupportCost;
-pub use follow::FollowConstraint;
-pub use joint::JointConstraint;
+pub use follow::{FollowConstraint, FollowError};
+pub use joint::{JointConstraint, JointError};
 pub use length::{LengthMode, LengthWish};
 pub use lock::LockConstraint;
+pub use obstacle::Obstacle;
 pub use pose::PoseConstraint;
 pub use style::StyleConstraint;
+pub use tolerance::Tolerance;
 
 /// One tolerance of time.
 pub const TOLERANCE_FRAMES: f32 = 10.0;

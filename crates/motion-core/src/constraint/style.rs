@@ -1,5 +1,8 @@
 //! Tagged clips preferred over a stretch of time. Soft.
 
+/// One tolerance: this share of the frames without the tag.
+pub const TOLERANCE_SHARE: f32 = 0.10;
+
 /// A wished style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyleConstraint {
@@ -7,8 +10,21 @@ pub struct StyleConstraint {
     pub from: u32,
     /// Last frame.
     pub to: u32,
-    /// The tag of the clips that are preferred.
+    /// The tag of the frames that are preferred.
     pub tag: String,
-    /// Factor of the share of frames without the tag.
+    /// Factor of the share of frames without the tag, in tolerances.
     pub weight: f32,
+}
+
+impl StyleConstraint {
+    /// How many frames it speaks of.
+    pub fn n_frames(&self) -> u32 {
+        self.to - self.from + 1
+    }
+
+    /// What each frame without the tag adds to the score. It is the share that counts, not its
+    /// square: half of a stretch in the wrong style is half as bad, wherever it lies.
+    pub fn cost_of_a_frame(&self) -> f32 {
+        self.weight / (TOLERANCE_SHARE * self.n_frames() as f32)
+    }
 }

@@ -7,7 +7,6 @@
 use glam::Vec3;
 
 use super::library::SearchLibrary;
-use super::problem::Target;
 use super::route::Route;
 use crate::path::Path;
 use crate::planar::PlanarTransform;
@@ -52,7 +51,6 @@ impl Alternatives {
     pub(crate) fn offer(
         &mut self,
         library: &SearchLibrary,
-        target: &Target,
         route: &Route,
         round: u64,
         improves: Option<Path>,
@@ -62,7 +60,7 @@ impl Alternatives {
             return false;
         }
         let at = self.kept.partition_point(|kept| kept.route.score <= route.score);
-        let same = |kept: &Kept| are_same_motion(library, target, &kept.route, route);
+        let same = |kept: &Kept| are_same_motion(library, &kept.route, route);
         if self.kept[..at].iter().any(same) {
             return false;
         }
@@ -82,33 +80,30 @@ impl Alternatives {
     }
 }
 
-fn are_same_motion(library: &SearchLibrary, target: &Target, a: &Route, b: &Route) -> bool {
-    let coarse = mean_joint_distance_m(library, target, a, b, STRIDE);
+fn are_same_motion(library: &SearchLibrary, a: &Route, b: &Route) -> bool {
+    let coarse = mean_joint_distance_m(library, a, b, STRIDE);
     if coarse >= 2.0 * DISTINCT_IN_SEARCH_M {
         return false;
     }
     if coarse <= 0.5 * DISTINCT_IN_SEARCH_M {
         return true;
     }
-    mean_joint_distance_m(library, target, a, b, 1) < DISTINCT_IN_SEARCH_M
+    mean_joint_distance_m(library, a, b, 1) < DISTINCT_IN_SEARCH_M
 }
 
 /// Mean distance of joints at equal times, over every `stride`-th frame that both motions have,
 /// metres.
 pub(crate) fn mean_joint_distance_m(
     library: &SearchLibrary,
-    target: &Target,
     a: &Route,
     b: &Route,
     stride: u32,
 ) -> f32 {
-    let (world_a, world_b) =
-        (a.world_from_laid(library, target), b.world_from_laid(library, target));
     let n_frames = a.n_frames.min(b.n_frames);
     let (mut sum, mut n) = (0.0f64, 0usize);
     for frame in (0..n_frames).step_by(stride as usize) {
-        let (torso_a, joints_a) = frame_of(library, a, world_a, frame);
-        let (torso_b, joints_b) = frame_of(library, b, world_b, frame);
+        let (torso_a, joints_a) = frame_of(library, a, frame);
+        let (torso_b, joints_b) = frame_of(library, b, frame);
         let b_from_a = torso_b.inverse() * torso_a;
         let distances = joints_a.iter().zip(joints_b).map(|(&p, &q)| b_from_a.apply(p).distance(q));
         sum += f64::from(distances.sum::<f32>());
@@ -120,11 +115,10 @@ pub(crate) fn mean_joint_distance_m(
 fn frame_of<'a>(
     library: &'a SearchLibrary,
     route: &Route,
-    world_from_laid: PlanarTransform,
     frame: u32,
 ) -> (PlanarTransform, &'a [Vec3]) {
     let span = route.span_at(frame);
     let clip_frame = span.from + frame - span.starts_at;
     let torso = span.world_from_clip * library.torsos(span.clip)[clip_frame as usize];
-    (world_from_laid * torso, library.joints(span.clip, clip_frame))
+    (torso, library.joints(span.clip, clip_frame))
 }

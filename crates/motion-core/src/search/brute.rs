@@ -9,14 +9,15 @@ use super::best::Best;
 use super::evaluate::Evaluator;
 use super::library::SearchLibrary;
 use super::mutation::Mutation;
-use super::problem::{Problem, Target};
+use super::problem::Problem;
 use super::rng::stream;
 use super::route::Route;
 use super::tables::Tables;
+use super::target::Target;
 use super::{Search, seeds};
 use crate::cancel::CancelToken;
-use crate::constraint::{BodyConstraint, LengthMode, LengthWish};
-use crate::score::{Weights, Wishes, judge};
+use crate::constraint::{BodyConstraint, LengthMode, LengthWish, Tolerance};
+use crate::score::{Wishes, judge};
 use crate::testing::wander;
 
 /// One of the scans of an evaluator.
@@ -31,7 +32,8 @@ fn library(climbs: bool, seed: u64) -> Arc<SearchLibrary> {
 
 fn checkpoint(frame: u32, x: f32, z: f32, heading_rad: f32) -> BodyConstraint {
     let position_m = Vec2::new(x, z);
-    BodyConstraint { frame, position_m, heading_rad, height_m: None, weight: 1.0 }
+    let tolerance = Tolerance::default();
+    BodyConstraint { frame, position_m, heading_rad, height_m: None, weight: 1.0, tolerance }
 }
 
 /// From the origin past a checkpoint to another; the first at frame `first`.
@@ -43,7 +45,7 @@ fn wishes(first: u32, mode: LengthMode) -> Wishes {
             checkpoint(70, 0.5, 2.5, 0.3),
             checkpoint(149, 2.0, 4.5, 0.8),
         ],
-        weights: Weights::default(),
+        ..Wishes::default()
     }
 }
 
@@ -60,7 +62,7 @@ fn a_route_scores_what_a_walk_over_its_frames_finds() {
     for (climbs, first, seed) in [(false, 0, 1), (true, 0, 2), (true, 12, 3), (false, 5, 4)] {
         let library = library(climbs, seed);
         let wishes = wishes(first, LengthMode::Preferred);
-        let target = Target::new(&wishes);
+        let target = Target::new(&library, &wishes);
         for item in 0..20 {
             let all = vec![true; 6];
             let rng = &mut stream(seed, 9, item);
@@ -82,7 +84,7 @@ fn a_route_scores_what_a_walk_over_its_frames_finds() {
 fn candidates_score_what_their_paths_score() {
     for (climbs, seed) in [(false, 1), (true, 2), (true, 3)] {
         let library = library(climbs, seed);
-        let target = Target::new(&wishes(0, LengthMode::Preferred));
+        let target = Target::new(&library, &wishes(0, LengthMode::Preferred));
         let route = some_route(&library, &target, seed);
         let tables = Tables::new(&library, &target, &route);
         let all = vec![true; 6];
@@ -123,7 +125,7 @@ fn candidates_score_what_their_paths_score() {
 #[test]
 fn the_best_reconnection_and_detour_are_those_of_a_loop_over_all() {
     let library = library(true, 5);
-    let target = Target::new(&wishes(0, LengthMode::Preferred));
+    let target = Target::new(&library, &wishes(0, LengthMode::Preferred));
     let forest = &library.graph().forest;
     let all = vec![true; 6];
     for seed in 0..3 {

@@ -5,6 +5,7 @@ use super::evaluate::{Evaluator, Head};
 use super::landing::{Landings, Scan};
 use super::library::{Cut, PairView, walk_shifts};
 use super::mutation::Mutation;
+use super::stretch::Stretch;
 use crate::graph::EdgeId;
 use crate::ids::ClipId;
 use crate::planar::PlanarTransform;
@@ -32,16 +33,21 @@ impl Evaluator<'_> {
         let forest = &library.graph().forest;
         let bridges = self.bridges;
         let usable = |pair: &PairView<'_>, id: EdgeId| bridges || id.0 < pair.first_bridge;
-        let landings = Landings::new(library, tables, self.allowed.len(), usable);
-        for (keep, head) in tables.spans.iter().enumerate() {
+        let window = self.window.clone();
+        let landings = Landings::new(library, tables, window, self.allowed.len(), usable);
+        for keep in self.window.clone() {
+            let head = &tables.spans[keep];
             // The pieces to come back to, each with the numbers of frames that may still do.
             let continuity = self.target.weights.continuity;
-            let resumes: Vec<(usize, (i64, i64))> = (0..tables.spans.len())
+            let latest = head.span.frame_of(head.torso.len() as u32);
+            let resumes: Vec<(usize, (i64, i64))> = self
+                .window
+                .clone()
                 .filter(|_| pick())
                 .map(|resume| {
                     let cuts = head.span.cuts_before + tables.spans[resume].cuts_after;
                     let budget = self.best.limit() - continuity * cuts;
-                    (resume, self.target.frames_window(budget))
+                    (resume, self.frames_window(latest, budget))
                 })
                 .collect();
             if resumes.is_empty() {
@@ -90,41 +96,51 @@ impl Evaluator<'_> {
             base: way.head.cost + self.target.weights.continuity * tail.cuts_after,
             unshifted: i64::from(way.head.frames) - i64::from(way.out.to) + tail.frames_from_zero,
             // A little slack: the bound and the score round differently.
-            limit: if self.by_parts { self.best.limit() * 1.0001 } else { f32::INFINITY },
+            limit: self.best.limit() * 1.0001,
+            n_frames_now: i64::from(self.route.n_frames),
+            left_at: way.head.frames,
+            entered: way.out.to,
+            resumes_at: tail.span.starts_at,
+        };
+        let sums = |first: usize, late: i64| {
+            self.tables.moments(self.library, self.target, self.route, (first, late))
         };
         let forest = &self.library.graph().forest;
         let per_tau = (1.0 / self.library.graph().tau) as f32;
-        let left_out = landings.scan(self.target, (way.clip, resume), &scan, |id| {
+        let mut hits = Vec::new();
+        let left_out =
+            landings.scan(self.target, (way.clip, resume), &scan, sums, |id| hits.push(id));
+        for id in hits {
             let edge = forest.edge(id);
             let (from, to) = (edge.from_frame.0, edge.to_frame.0);
             if from > way.out.to {
                 let back = Cut { from, to, cost: edge.cost * per_tau, id };
                 self.consider_detour(way, resume, &back);
             }
-        });
+        }
         self.counts.pruned += left_out;
     }
 
     #[inline]
     fn consider_detour(&mut self, way: &Way<'_>, resume: usize, back: &Cut) {
-        let (left_at, entered) = (way.head.frames, way.out.to);
-        let torsos = self.library.torsos(way.clip);
-        let head = self.through(&way.head, way.world_from_clip, way.clip, entered, back);
+        let stretch = Stretch {
+            clip: way.clip,
+            world_from_clip: way.world_from_clip,
+            from: way.out.to,
+            to: back.from,
+            starts_at: way.head.frames,
+        };
+        let head = self.through(&way.head, &stretch, back);
         let mutation = Mutation::Detour { keep: way.keep, resume, out: way.out.id, back: back.id };
         let tail = &self.tables.spans[resume];
-        self.consider_tail(head, tail, back.to, mutation, |frame| {
-            (frame >= left_at).then(|| {
-                let shown = entered + (frame - left_at);
-                way.world_from_clip * torsos[shown as usize]
-            })
-        });
+        self.consider_tail(head, tail, back.to, mutation, Some(&stretch));
     }
 
     /// Both cuts of each inner piece chosen anew among the leaves near them: a detour through
     /// the clip that is there already.
     pub(crate) fn rejoin(&mut self) {
         let (tables, library) = (self.tables, self.library);
-        for keep in 0..tables.spans.len().saturating_sub(2) {
+        for keep in self.window.start..self.window.end.saturating_sub(2) {
             let resume = keep + 2;
             let (head, tail) = (&tables.spans[keep], &tables.spans[resume]);
             let middle = tables.spans[keep + 1].span;
@@ -176,7 +192,7 @@ impl Evaluator<'_> {
         }
         let (left_at, entered) = (way.head.frames, way.out.to);
         let unshifted = i64::from(left_at) - i64::from(entered) + tail.frames_from_zero;
-        let window = self.target.frames_window(limit - base);
+        let window = self.frames_window(left_at, limit - base);
         let shifts = (window.0 - unshifted, window.1 - unshifted);
         let left_out = walk_shifts(cuts, shifts, |cut| {
             let so_far = base

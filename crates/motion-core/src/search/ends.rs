@@ -2,6 +2,7 @@
 
 use super::evaluate::{Evaluator, Head};
 use super::mutation::Mutation;
+use super::stretch::Stretch;
 use crate::ids::ClipId;
 use crate::planar::PlanarTransform;
 use crate::units::FrameIdx;
@@ -42,7 +43,8 @@ impl Evaluator<'_> {
         let Some(wished) = self.target.frames else { return };
         let (tables, library) = (self.tables, self.library);
         let continuity = self.target.weights.continuity;
-        for (resume, tail) in tables.spans.iter().enumerate() {
+        for resume in self.window.clone() {
+            let tail = &tables.spans[resume];
             for (nth, &(clip, cut)) in library.into(tail.span.clip).iter().enumerate() {
                 let so_far = continuity * (cut.cost + tail.cuts_after);
                 if so_far >= self.best.limit() {
@@ -68,12 +70,12 @@ impl Evaluator<'_> {
                     let world_from_clip = self.target.anchor * torsos[start as usize].inverse();
                     let nothing =
                         Head { torso: self.target.anchor, frames: 0, cost: 0.0, support: None };
-                    let head = self.through(&nothing, world_from_clip, clip, start, &cut);
+                    let stretch =
+                        Stretch { clip, world_from_clip, from: start, to: cut.from, starts_at: 0 };
+                    let head = self.through(&nothing, &stretch, &cut);
                     let mutation =
                         Mutation::NewStart { resume, start: FrameIdx(start), cut: cut.id };
-                    self.consider_tail(head, tail, cut.to, mutation, |frame| {
-                        Some(world_from_clip * torsos[(start + frame) as usize])
-                    });
+                    self.consider_tail(head, tail, cut.to, mutation, Some(&stretch));
                 }
             }
         }
@@ -85,7 +87,8 @@ impl Evaluator<'_> {
         let Some(wished) = self.target.frames else { return };
         let (tables, library) = (self.tables, self.library);
         let continuity = self.target.weights.continuity;
-        for (keep, head) in tables.spans.iter().enumerate() {
+        for keep in self.window.clone() {
+            let head = &tables.spans[keep];
             let out = library.out(head.span.clip);
             let first = out.partition_point(|(_, cut)| cut.from <= head.span.from);
             for &(clip, cut) in &out[first..] {
@@ -133,32 +136,34 @@ impl Evaluator<'_> {
         mutation: Mutation,
     ) {
         let limit = self.best.limit();
-        let target = self.target;
-        let weights = target.weights;
-        let n_frames = head.frames + (end + 1 - from);
-        let cost = head.cost + target.frames_cost(n_frames);
+        let (library, target) = (self.library, self.target);
+        let stretch = Stretch { clip, world_from_clip, from, to: end + 1, starts_at: head.frames };
+        if !target.keeps_hard(head.frames, u32::MAX, 0) {
+            return;
+        }
+        let mut cost = head.cost + target.frames_cost(stretch.ends_at());
         if cost >= limit {
             self.counts.pruned += 1;
             return;
         }
-        if !self.by_parts {
+        if head.frames <= target.anchor_frame && target.anchor_frame > 0 {
             self.consider_whole(mutation);
             return;
         }
-        let torsos = self.library.torsos(clip);
-        let at_end = world_from_clip * torsos[end as usize];
-        let Some(mut cost) = self.with_end(cost, at_end) else { return };
-        for inner in target.inner.iter().rev() {
-            if inner.frame < head.frames {
-                break;
+        if let Some(wish) = &target.last {
+            cost += wish.cost(library, world_from_clip, clip, end);
+            if cost >= limit {
+                self.counts.pruned += 1;
+                return;
             }
-            let shown = from + (inner.frame - head.frames);
-            cost += weights.body * inner.cost(world_from_clip * torsos[shown as usize]);
         }
+        cost += stretch.readings_cost(library, target) + stretch.styles_cost(target);
         if self.tables.uses_support {
-            let sums = self.library.support(clip).between(from, end + 1);
-            cost +=
-                weights.environment * sums.cost_at(world_from_clip.level_m, self.tables.frame_secs);
+            let sums = stretch.support(library);
+            cost += target.weights.environment * sums.cost_at(0.0, self.tables.frame_secs);
+        }
+        if target.has_surroundings() && cost < limit {
+            cost += stretch.surroundings_cost(library, target, limit - cost);
         }
         self.keep(mutation, cost);
     }

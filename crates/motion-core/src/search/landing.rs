@@ -1,29 +1,26 @@
 //! The ways back from a stretch of another clip, laid out for a scan of many at once.
 //!
-//! A detour through clip `m` ends where `world_from_m · m_from_end` lies, and `m_from_end`
-//! depends on the way back alone. So it is computed once for all ways out, and a scan needs one
-//! planar product a candidate, eight side by side.
+//! A detour through clip `m` moves the rest of the route by `world_from_m · m_from_old`, where
+//! `m_from_old` depends on the way back alone. So it is computed once for all ways out, and a scan needs
+//! one planar product a candidate and the sums of what is read behind it.
 
 use super::library::{PairView, SearchLibrary};
-use super::problem::Target;
+use super::moments::Moments;
 use super::tables::Tables;
-use crate::constraint::{TOLERANCE_M, TOLERANCE_RAD};
+use super::target::Target;
 use crate::graph::EdgeId;
 use crate::ids::ClipId;
 use crate::planar::PlanarTransform;
-
-/// Candidates that are computed side by side.
-const LANES: usize = 8;
 
 /// Ways back into every piece from every clip, in columns.
 pub(crate) struct Landings {
     n_clips: usize,
     /// Where the ways from clip `m` into piece `r` stand: entry `r · n_clips + m`.
     ranges: Vec<Range>,
-    cos: Vec<f32>,
-    sin: Vec<f32>,
-    x_m: Vec<f32>,
-    z_m: Vec<f32>,
+    /// Where the route's old world lies in the clip's.
+    moves: Vec<PlanarTransform>,
+    /// The frame of the clip at which it is left.
+    left_at: Vec<u32>,
     cost: Vec<f32>,
     shift: Vec<f32>,
     cuts: Vec<EdgeId>,
@@ -46,6 +43,14 @@ pub(crate) struct Scan {
     pub(crate) unshifted: i64,
     /// Candidates that cannot score below this are left out.
     pub(crate) limit: f32,
+    /// Frames of the route as it is.
+    pub(crate) n_frames_now: i64,
+    /// The motion's frame at which the route is left …
+    pub(crate) left_at: u32,
+    /// … and the frame of the clip that is entered then.
+    pub(crate) entered: u32,
+    /// The motion's frame that shows the first frame of the piece to come back to, as it is.
+    pub(crate) resumes_at: u32,
 }
 
 impl Landings {
@@ -53,21 +58,21 @@ impl Landings {
     pub(crate) fn new(
         library: &SearchLibrary,
         tables: &Tables,
+        window: std::ops::Range<usize>,
         n_clips: usize,
         usable: impl Fn(&PairView<'_>, EdgeId) -> bool,
     ) -> Self {
         let mut new = Self {
             n_clips,
             ranges: vec![Range::default(); tables.spans.len() * n_clips],
-            cos: vec![],
-            sin: vec![],
-            x_m: vec![],
-            z_m: vec![],
+            moves: vec![],
+            left_at: vec![],
             cost: vec![],
             shift: vec![],
             cuts: vec![],
         };
-        for (resume, tail) in tables.spans.iter().enumerate() {
+        for resume in window {
+            let tail = &tables.spans[resume];
             for (middle, pair) in library.pairs_into(tail.span.clip) {
                 let torsos = library.torsos(middle);
                 let start = new.cuts.len() as u32;
@@ -75,12 +80,10 @@ impl Landings {
                     if cut.to >= tail.span.to || !usable(&pair, cut.id) {
                         continue;
                     }
-                    let clip_from_end =
-                        torsos[cut.from as usize] * tail.end_from_torso[cut.to as usize];
-                    new.cos.push(clip_from_end.cos());
-                    new.sin.push(clip_from_end.sin());
-                    new.x_m.push(clip_from_end.x_m);
-                    new.z_m.push(clip_from_end.z_m);
+                    let clip_from_old =
+                        torsos[cut.from as usize] * tail.torso[cut.to as usize].inverse();
+                    new.moves.push(clip_from_old);
+                    new.left_at.push(cut.from);
                     new.cost.push(cut.cost);
                     new.shift.push(cut.shift() as f32);
                     new.cuts.push(cut.id);
@@ -93,14 +96,15 @@ impl Landings {
     }
 
     /// The ways back from `middle` into piece `resume` that may score below the limit, by a
-    /// bound of the whole score without inner checkpoints; calls `hit` with each. Returns how
-    /// many were left out.
+    /// bound of the whole score without what lies in the detour itself; calls `hit` with each.
+    /// `sums(k, late)` are those of the readings from the `k`-th on. Returns how many were left out.
     #[inline]
-    pub(crate) fn scan(
+    pub(crate) fn scan<'s>(
         &self,
         target: &Target,
         (middle, resume): (ClipId, usize),
         scan: &Scan,
+        sums: impl Fn(usize, i64) -> Option<&'s Moments>,
         mut hit: impl FnMut(EdgeId),
     ) -> u64 {
         let range = self.ranges[resume * self.n_clips + middle.idx()];
@@ -111,72 +115,56 @@ impl Landings {
         }
         let (start, end) = (range.start as usize, range.end as usize);
         let budget = scan.limit - scan.base - continuity * range.cheapest;
-        let window = target.frames_window(budget);
+        let mut window = target.frames_window(budget);
+        let is_hard = target.is_hard_after(scan.left_at);
+        if is_hard {
+            window = (window.0.max(scan.n_frames_now), window.1.min(scan.n_frames_now));
+        }
         let shifts = &self.shift[start..end];
         let low = (window.0 - scan.unshifted) as f32;
         let high = (window.1 - scan.unshifted) as f32;
         let first = start + shifts.partition_point(|&shift| shift < low);
         let last = start + shifts.partition_point(|&shift| shift <= high);
+        let (n_readings, frames) = (target.readings.len(), target.frames_quadratic());
+        let next_hard = target.hard.partition_point(|hard| hard.last < scan.left_at);
+        let next_hard = target.hard.get(next_hard).map_or(u32::MAX, |hard| hard.first);
+        // With nothing to read on the way the sums are the same for all.
+        let alone = sums(n_readings, 0);
         let mut n_hits = 0;
-        let mut at = first;
-        while at < last {
-            let lanes = (last - at).min(LANES);
-            let scores = self.bounds(target, scan, at);
-            for (lane, &score) in scores.iter().enumerate().take(lanes) {
-                if score < scan.limit {
-                    n_hits += 1;
-                    hit(self.cuts[at + lane]);
-                }
+        for at in first..last {
+            if self.left_at[at] <= scan.entered {
+                continue;
             }
-            at += LANES;
-        }
-        n - n_hits
-    }
-
-    /// Lower bounds of the scores of [`LANES`] ways from `at` on; those beyond the columns' end
-    /// are infinite.
-    #[inline]
-    fn bounds(&self, target: &Target, scan: &Scan, at: usize) -> [f32; LANES] {
-        let lanes = |column: &[f32]| -> [f32; LANES] {
-            let mut values = [0.0; LANES];
-            match column.get(at..at + LANES) {
-                Some(whole) => values.copy_from_slice(whole),
-                None => {
-                    let rest = &column[at..];
-                    values[..rest.len()].copy_from_slice(rest);
-                }
-            }
-            values
-        };
-        let (cost, shift) = (lanes(&self.cost), lanes(&self.shift));
-        let frames = target.frames_quadratic();
-        let unshifted = scan.unshifted as f32;
-        let mut scores = [0.0f32; LANES];
-        for lane in 0..LANES {
-            let n_frames = unshifted + shift[lane];
+            let n_frames = scan.unshifted as f32 + self.shift[at];
             let (long, late) = (n_frames - frames.length, n_frames - frames.last);
-            scores[lane] = scan.base
-                + target.weights.continuity * cost[lane]
+            let mut bound = scan.base
+                + continuity * self.cost[at]
                 + frames.length_factor * long * long
                 + frames.last_factor * late * late;
+            if bound >= scan.limit {
+                continue;
+            }
+            let back_at = scan.left_at + self.left_at[at] - scan.entered;
+            if is_hard && back_at > next_hard {
+                continue;
+            }
+            let known = if n_readings == 0 {
+                alone
+            } else {
+                let late = scan.unshifted + self.shift[at] as i64 - scan.n_frames_now;
+                // Before the piece's own frames the sums know those of the piece before it.
+                let known_from = (i64::from(scan.resumes_at) + late).max(i64::from(back_at));
+                sums(target.first_reading_from(known_from as u32), late).or(alone)
+            };
+            if let Some(known) = known {
+                let moved = scan.world_from_clip * self.moves[at];
+                bound += known.place_cost(moved) + known.turn_cost_at_least(moved);
+            }
+            if bound < scan.limit {
+                n_hits += 1;
+                hit(self.cuts[at]);
+            }
         }
-        let Some(end) = &target.last else { return scores };
-        let (cos, sin) = (lanes(&self.cos), lanes(&self.sin));
-        let (x, z) = (lanes(&self.x_m), lanes(&self.z_m));
-        let world = scan.world_from_clip;
-        let there = end.world_from_torso;
-        let factor = target.weights.body * end.weight;
-        let place = factor / (TOLERANCE_M * TOLERANCE_M);
-        let turn = factor / (TOLERANCE_RAD * TOLERANCE_RAD);
-        for lane in 0..LANES {
-            let dx = world.cos() * x[lane] + world.sin() * z[lane] + (world.x_m - there.x_m);
-            let dz = world.cos() * z[lane] - world.sin() * x[lane] + (world.z_m - there.z_m);
-            let cos_at = world.cos() * cos[lane] - world.sin() * sin[lane];
-            let sin_at = world.sin() * cos[lane] + world.cos() * sin[lane];
-            // A chord is never longer than its arc.
-            let chord = 2.0 - 2.0 * (cos_at * there.cos() + sin_at * there.sin());
-            scores[lane] += place * (dx * dx + dz * dz) + turn * chord.max(0.0);
-        }
-        scores
+        n - n_hits
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::Vec3;
 use rayon::prelude::*;
 
+use super::tracks::Extent;
 use crate::clip::ClipSet;
 use crate::constraint::SupportCost;
 use crate::graph::{ClipPair, EdgeId, MotionGraph};
@@ -70,6 +71,8 @@ pub struct SearchLibrary {
     into: Vec<Vec<(ClipId, Cut)>>,
     /// Joint positions in the torso frame, frame-major per clip.
     joints_in_torso: Vec<Vec<Vec3>>,
+    /// How far the joints of every frame reach, per clip.
+    extents: Vec<Vec<Extent>>,
     support: Vec<SupportCost>,
     leaves_the_floor: bool,
 }
@@ -105,6 +108,12 @@ impl SearchLibrary {
         };
         let all = 0..forest.n_nodes() as u32;
         let n_leaves = all.into_par_iter().filter(|&id| forest.is_leaf(EdgeId(id))).count();
+        let joints_in_torso = joints_in_torso(&clips);
+        let n_joints = clips.skeleton().n_joints();
+        let extents = joints_in_torso
+            .par_iter()
+            .map(|joints| joints.chunks(n_joints).map(Extent::of).collect())
+            .collect();
         let mut library = Self {
             leaves: Vec::with_capacity(n_leaves),
             chosen: Vec::new(),
@@ -114,7 +123,8 @@ impl SearchLibrary {
             coarse_out: vec![Vec::new(); graph.n_clips()],
             out: vec![Vec::new(); graph.n_clips()],
             into: vec![Vec::new(); graph.n_clips()],
-            joints_in_torso: joints_in_torso(&clips),
+            joints_in_torso,
+            extents,
             support: clips.clips().iter().map(SupportCost::new).collect(),
             leaves_the_floor: false,
             clips,
@@ -197,6 +207,12 @@ impl SearchLibrary {
     pub(crate) fn joints(&self, clip: ClipId, frame: u32) -> &[Vec3] {
         let n = self.clips.skeleton().n_joints();
         &self.joints_in_torso[clip.idx()][frame as usize * n..(frame as usize + 1) * n]
+    }
+
+    /// How far the joints of a frame reach.
+    #[inline]
+    pub(crate) fn extent(&self, clip: ClipId, frame: u32) -> Extent {
+        self.extents[clip.idx()][frame as usize]
     }
 
     /// Edges of the coarsest graph that leave `clip`, ordered by the frame left.

@@ -6,11 +6,11 @@ use rand_pcg::Pcg64Mcg;
 use super::best::{Best, ScoreCounts};
 use super::evaluate::Evaluator;
 use super::library::SearchLibrary;
-use super::problem::Target;
 use super::rng::stream;
 use super::route::Route;
 use super::seeds;
 use super::tables::Tables;
+use super::target::Target;
 use crate::path::Path;
 
 /// Mutations of a path that are laid out, best first, before a step is taken.

@@ -12,19 +12,25 @@ mod best;
 mod detour;
 mod ends;
 mod evaluate;
+mod hard;
 mod landing;
 mod library;
 mod line;
+mod moments;
 mod mutation;
 mod neighbourhood;
 mod problem;
+mod reading;
 mod reconnect;
 mod refine;
 mod resume;
 mod rng;
 mod route;
 mod seeds;
+mod stretch;
 mod tables;
+mod target;
+mod tracks;
 mod vary;
 
 #[cfg(test)]
@@ -36,6 +42,7 @@ use rayon::prelude::*;
 
 pub use alternatives::DISTINCT_M;
 pub use best::ScoreCounts;
+pub use hard::HardWish;
 pub use library::SearchLibrary;
 pub use neighbourhood::Neighbourhood;
 pub use problem::{Problem, ProblemError};
@@ -45,8 +52,8 @@ use crate::path::Path;
 use crate::score::{Judgement, judge};
 use alternatives::Alternatives;
 use line::{Line, Pace};
-use problem::Target;
 use route::Route;
+use target::Target;
 
 /// Lines that run side by side. Fixed, since it takes part in the outcome.
 const N_LINES: u64 = 16;
@@ -109,7 +116,7 @@ impl Search {
         seed: u64,
     ) -> Result<Self, ProblemError> {
         problem.check()?;
-        let target = Target::new(&problem.wishes);
+        let target = Target::new(&library, &problem.wishes);
         let lines = (0..N_LINES).map(Line::new).collect();
         let progress = Progress { best: f32::INFINITY, ..Progress::default() };
         let alternatives = Alternatives::new(MAX_ALTERNATIVES);
@@ -145,7 +152,7 @@ impl Search {
                 if let Some(origin) = &origin {
                     self.alternatives.drop_path(origin);
                 }
-                self.alternatives.offer(&self.library, &self.target, minimum, round, origin);
+                self.alternatives.offer(&self.library, minimum, round, origin);
             }
             let is_fresh = stepped.next_is_fresh;
             *line = stepped.line;
@@ -194,7 +201,7 @@ impl Search {
             && found.first().is_none_or(|first| route.score < first.score)
         {
             let mut with_best = self.alternatives.clone();
-            with_best.offer(&self.library, &self.target, route, *round, None);
+            with_best.offer(&self.library, route, *round, None);
             found = with_best.kept().iter().map(solution).collect();
         }
         found
@@ -217,8 +224,12 @@ impl Search {
 
     fn any_line_is_acceptable(&self) -> bool {
         self.lines.iter().filter_map(Line::route).any(|route| {
-            let judged = self.judge(&route.path);
-            judged.is_some_and(|judged| judged.is_acceptable(&self.problem.wishes))
+            // Scores first: judging lays every frame out.
+            route.score <= self.target.most_when_acceptable(route.cuts_cost)
+                && route.is_clear(&self.library, &self.target)
+                && self
+                    .judge(&route.path)
+                    .is_some_and(|judged| judged.is_acceptable(&self.problem.wishes))
         })
     }
 }

@@ -1,14 +1,13 @@
 //! What a search is asked, prepared for scoring.
 
-use crate::constraint::body::BodyTarget;
-use crate::constraint::{LengthMode, TOLERANCE_FRAMES};
-use crate::planar::PlanarTransform;
+use super::hard::{HardWish, hard_stretches};
+use crate::constraint::LengthMode;
 use crate::score::Wishes;
 
 /// What one character's search is asked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
-    /// Length, checkpoints, weights.
+    /// Everything that is wished of the motion.
     pub wishes: Wishes,
     /// For each clip of the library, whether it may be used (the palette).
     pub allowed_clips: Vec<bool>,
@@ -35,13 +34,46 @@ pub enum ProblemError {
         /// The frame that cannot be reached.
         frame: u32,
     },
-    /// A number that is no number.
-    #[error("a position, heading or weight is not a finite number; correct it")]
+    /// A number that is no number, a tolerance of 0, a stretch that ends before it begins, a curve of
+    /// fewer than two points.
+    #[error(
+        "a position, heading, weight, tolerance, size or stretch of time makes no sense; correct it"
+    )]
     NotFinite,
+    /// Two poses or locks that ask for different frames of clips at one frame.
+    #[error(
+        "two poses or locked stretches ask for different things at one frame; move one of them"
+    )]
+    HardConflict(HardWish, HardWish),
+    /// A pose or lock of clips or frames that the library or the palette does not have.
+    #[error(
+        "a pose or locked stretch shows frames that the clips in use do not have; choose others"
+    )]
+    HardNotThere(HardWish),
+    /// Locked pieces that follow each other where the library has no cut.
+    #[error(
+        "a locked stretch has a cut that this library does not have; lock a take of this library"
+    )]
+    HardNoCut(HardWish),
+    /// No way from one pose or lock to the next in the frames between them.
+    #[error(
+        "from one pose or locked stretch to the next it takes {} frames and there are {available}; move them apart or choose others",
+        needed.map_or("more than any".to_owned(), |n| n.to_string())
+    )]
+    HardTooFar {
+        /// The first of the two.
+        from: HardWish,
+        /// The second.
+        to: HardWish,
+        /// The least number of frames from the one to the other; `None` where there is no way.
+        needed: Option<u32>,
+        /// The number of frames that there are.
+        available: u32,
+    },
 }
 
 impl Problem {
-    /// Checks what is asked; every search begins with this.
+    /// Checks what is asked by itself; every search begins with this.
     pub fn check(&self) -> Result<(), ProblemError> {
         if !self.allowed_clips.contains(&true) {
             return Err(ProblemError::NoClips);
@@ -52,137 +84,58 @@ impl Problem {
                 return Err(ProblemError::SameFrame(pair[1].frame));
             }
         }
-        let w = self.wishes.weights;
-        let weights = [w.continuity, w.length, w.body, w.environment];
-        let finite = body.iter().all(|c| {
-            c.position_m.is_finite()
-                && c.heading_rad.is_finite()
-                && c.height_m.is_none_or(f32::is_finite)
-                && c.weight.is_finite()
-                && c.weight >= 0.0
-        });
-        let length_finite =
-            self.wishes.length.is_none_or(|l| l.weight.is_finite() && l.weight >= 0.0);
-        if !finite || !length_finite || weights.iter().any(|w| !w.is_finite() || *w < 0.0) {
+        if !self.makes_sense() {
             return Err(ProblemError::NotFinite);
         }
+        let hard = hard_stretches(&self.wishes)
+            .map_err(|(one, other)| ProblemError::HardConflict(one, other))?;
         if let Some(length) = self.wishes.length.filter(|l| l.mode == LengthMode::Exact) {
             // The last checkpoint is read at the last frame, whatever its own frame is.
             let inner = &body[..body.len().saturating_sub(usize::from(body.len() > 1))];
-            if let Some(late) = inner.iter().find(|c| c.frame >= length.frames) {
-                return Err(ProblemError::TooShort { length: length.frames, frame: late.frame });
+            let inner = inner.iter().map(|c| c.frame);
+            let joints = self.wishes.joints.iter().map(|c| c.frame);
+            let hard = hard.iter().map(|stretch| stretch.last);
+            let mut all = inner.chain(joints).chain(hard);
+            if let Some(frame) = all.find(|&frame| frame >= length.frames) {
+                return Err(ProblemError::TooShort { length: length.frames, frame });
             }
         }
         Ok(())
     }
-}
 
-/// A [`Problem`] in the shape that scoring wants.
-#[derive(Clone, Debug)]
-pub(crate) struct Target {
-    /// Where the first checkpoint's torso stands (the origin without one) …
-    pub(crate) anchor: PlanarTransform,
-    /// … and its frame. 0 almost always.
-    pub(crate) anchor_frame: u32,
-    /// Checkpoints between the first and the last.
-    pub(crate) inner: Vec<BodyTarget>,
-    /// The last checkpoint, read at the motion's last frame.
-    pub(crate) last: Option<BodyTarget>,
-    /// The number of frames that the search aims at, where anything says so.
-    pub(crate) frames: Option<u32>,
-    exact: bool,
-    length_factor: f32,
-    length_frames: f32,
-    pub(crate) weights: crate::score::Weights,
-    /// Whether feet planted on nothing cost.
-    pub(crate) on_the_floor: bool,
-}
-
-/// `length_factor · (N − length)² + last_factor · (N − last)²` for `N` frames.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FramesQuadratic {
-    pub(crate) length_factor: f32,
-    pub(crate) length: f32,
-    pub(crate) last_factor: f32,
-    pub(crate) last: f32,
-}
-
-impl Target {
-    pub(crate) fn new(wishes: &Wishes) -> Self {
-        let body = &wishes.body;
-        let targets: Vec<BodyTarget> = body.iter().map(BodyTarget::new).collect();
-        let (last, inner) = match targets.len() {
-            0 | 1 => (None, Vec::new()),
-            n => (Some(targets[n - 1]), targets[1..n - 1].to_vec()),
-        };
-        let wish = wishes.length.filter(|l| l.mode != LengthMode::Free);
-        let first = targets.first();
-        Self {
-            anchor: first.map_or(PlanarTransform::IDENTITY, |t| t.world_from_torso),
-            anchor_frame: first.map_or(0, |t| t.frame),
-            frames: wish.map(|l| l.frames).or(last.map(|t| t.frame + 1)),
-            exact: wish.is_some_and(|l| l.mode == LengthMode::Exact),
-            length_factor: wish.map_or(0.0, |l| {
-                wishes.weights.length * l.weight / (TOLERANCE_FRAMES * TOLERANCE_FRAMES)
-            }),
-            length_frames: wish.map_or(0.0, |l| l.frames as f32),
-            inner,
-            last,
-            weights: wishes.weights,
-            on_the_floor: body.iter().all(|c| c.height_m.unwrap_or(0.0) == 0.0),
-        }
-    }
-
-    /// The parts of [`Self::frames_cost`] as squares; exact lengths and checkpoints that are not
-    /// reached are not in them, so they are a lower bound.
-    pub(crate) fn frames_quadratic(&self) -> FramesQuadratic {
-        let last_factor = self.last.map_or(0.0, |t| self.weights.body * t.frame_cost(1.0));
-        FramesQuadratic {
-            length_factor: self.length_factor,
-            length: self.length_frames,
-            last_factor,
-            last: self.last.map_or(0.0, |t| t.frame as f32 + 1.0),
-        }
-    }
-
-    /// The numbers of frames, first and last, whose own cost may lie under `budget`; a bound, not
-    /// exact to the frame.
-    pub(crate) fn frames_window(&self, budget: f32) -> (i64, i64) {
-        if self.exact {
-            return (self.length_frames as i64, self.length_frames as i64);
-        }
-        // a (N − L)² + b (N − 1 − t)² ≤ budget is an interval around the weighted mean.
-        let squares = self.frames_quadratic();
-        let (a, b) = (f64::from(squares.length_factor), f64::from(squares.last_factor));
-        let wished_last = f64::from(squares.last);
-        if a + b <= 0.0 || !budget.is_finite() {
-            return (0, i64::from(u32::MAX));
-        }
-        let length = f64::from(self.length_frames);
-        let centre = (a * length + b * wished_last) / (a + b);
-        let least = a * (centre - length).powi(2) + b * (centre - wished_last).powi(2);
-        let reach = ((f64::from(budget) - least).max(0.0) / (a + b)).sqrt() + 1.0;
-        if f64::from(budget) < least {
-            return (1, 0);
-        }
-        (((centre - reach).floor() as i64).max(0), (centre + reach).ceil() as i64)
-    }
-
-    /// What a number of frames costs by itself: the length wish, and the last checkpoint being
-    /// early or late. Infinite where an inner checkpoint is not reached or an exact length missed.
-    #[inline]
-    pub(crate) fn frames_cost(&self, n_frames: u32) -> f32 {
-        let needed = self.inner.last().map_or(self.anchor_frame, |t| t.frame);
-        if n_frames <= needed {
-            return f32::INFINITY;
-        }
-        let error = n_frames as f32 - self.length_frames;
-        if self.exact && error != 0.0 {
-            return f32::INFINITY;
-        }
-        let late = self.last.map_or(0.0, |last| {
-            self.weights.body * last.frame_cost(n_frames as f32 - 1.0 - last.frame as f32)
-        });
-        self.length_factor * error * error + late
+    fn makes_sense(&self) -> bool {
+        let w = &self.wishes;
+        let is_weight = |weight: f32| weight.is_finite() && weight >= 0.0;
+        let places = w.poses.iter().filter_map(|pose| pose.place());
+        w.body.iter().copied().chain(places).all(|c| {
+            c.position_m.is_finite()
+                && c.heading_rad.is_finite()
+                && c.height_m.is_none_or(f32::is_finite)
+                && is_weight(c.weight)
+                && c.tolerance.is_valid()
+        }) && w.joints.iter().all(|c| {
+            c.position_m.is_finite()
+                && c.velocity_m_s.is_none_or(|v| v.is_finite())
+                && is_weight(c.weight)
+                && c.tolerance_m > 0.0
+        }) && w.styles.iter().all(|c| c.from <= c.to && is_weight(c.weight))
+            && w.follows.iter().all(|c| {
+                c.from < c.to
+                    && c.points_m.len() >= 2
+                    && c.points_m.iter().all(|p| p.is_finite())
+                    && is_weight(c.weight)
+                    && c.tolerance_m > 0.0
+                    && c.tolerance_rad > 0.0
+            })
+            && w.locks.iter().all(|c| {
+                let n_frames: usize = c.pieces.iter().map(|piece| piece.n_frames()).sum();
+                n_frames > 0
+                    && c.pieces.iter().all(|piece| piece.n_frames() > 0)
+                    && i64::from(c.to) - i64::from(c.from) + 1 == n_frames as i64
+            })
+            && w.obstacles.iter().all(|o| o.is_valid())
+            && w.others.iter().all(|o| !o.ground_m.is_empty())
+            && w.length.is_none_or(|l| is_weight(l.weight))
+            && w.weights.all().into_iter().all(is_weight)
     }
 }

@@ -3,12 +3,13 @@
 use super::evaluate::Evaluator;
 use super::library::walk_shifts;
 use super::mutation::Mutation;
+use super::tables::SpanTable;
 
 impl Evaluator<'_> {
     /// Every leaf edge that joins any piece to any piece: AF02's reconnection by 0 hops.
     pub(crate) fn reconnect(&mut self) {
-        for keep in 0..self.tables.spans.len() {
-            for resume in 0..self.tables.spans.len() {
+        for keep in self.window.clone() {
+            for resume in self.window.clone() {
                 self.reconnect_pair(keep, resume);
             }
         }
@@ -24,7 +25,7 @@ impl Evaluator<'_> {
         // The length of the motion is this and the cut's shift.
         let unshifted =
             i64::from(head.span.starts_at) - i64::from(head.span.from) + tail.frames_from_zero;
-        let window = self.target.frames_window(self.best.limit() - base);
+        let window = self.frames_window(latest_exit(head), self.best.limit() - base);
         let shifts = (window.0 - unshifted, window.1 - unshifted);
         let left_out = walk_shifts(pair.leaves, shifts, |cut| {
             let so_far = base
@@ -37,10 +38,15 @@ impl Evaluator<'_> {
             if within && Some(cut.id) != present && self.usable(&pair, cut) {
                 let at_cut = self.head(head, cut);
                 let mutation = Mutation::Reconnect { keep, resume, cut: cut.id };
-                self.consider_tail(at_cut, tail, cut.to, mutation, |_| None);
+                self.consider_tail(at_cut, tail, cut.to, mutation, None);
             }
             true
         });
         self.counts.pruned += left_out;
     }
+}
+
+/// The last frame of the motion at which a piece could be left.
+fn latest_exit(head: &SpanTable) -> u32 {
+    head.span.frame_of(head.torso.len() as u32)
 }

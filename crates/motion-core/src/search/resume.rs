@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::alternatives::Alternatives;
 use super::line::{Line, descend};
-use super::problem::Target;
 use super::rng::stream;
 use super::route::Route;
+use super::target::Target;
 use super::{MAX_ALTERNATIVES, N_LINES, Problem, ProblemError, Search, SearchLibrary, Solution};
 use crate::cancel::CancelToken;
 use crate::constraint::LengthMode;
@@ -86,8 +86,7 @@ impl Search {
     pub fn offer(&mut self, path: &Path, improves: Option<Path>) -> bool {
         let round = self.progress.iteration;
         let Some(route) = usable_route(self, path) else { return false };
-        let (library, target) = (&self.library, &self.target);
-        let taken = self.alternatives.offer(library, target, &route, round, improves);
+        let taken = self.alternatives.offer(&self.library, &route, round, improves);
         self.note_best([route]);
         taken
     }
@@ -112,7 +111,8 @@ impl Search {
             return Some(solution(better, score));
         }
         let n_frames: usize = path.pieces(library.graph()).iter().map(|p| p.n_frames()).sum();
-        let relaxed = Target::new(&within_reach(&self.problem.wishes, n_frames as u32));
+        let relaxed =
+            Target::new(&self.library, &within_reach(&self.problem.wishes, n_frames as u32));
         let route = Route::new(library, &relaxed, path.clone())?;
         let nearer = self.descend_once(&relaxed, &route)?;
         let there = Route::new(library, target, nearer.path.clone());
@@ -140,7 +140,7 @@ impl Search {
         self.alternatives = Alternatives::new(MAX_ALTERNATIVES);
         let round = self.progress.iteration;
         for route in &routes {
-            self.alternatives.offer(&self.library, &self.target, route, round, None);
+            self.alternatives.offer(&self.library, route, round, None);
         }
         self.note_best(routes.first().cloned());
         routes.dedup_by(|a, b| a.path == b.path);
@@ -192,6 +192,10 @@ fn within_reach(wishes: &Wishes, n_frames: u32) -> Wishes {
         let is_inner = nth > 1 && nth < n;
         !is_inner || constraint.frame < n_frames
     });
+    wishes.joints.retain(|constraint| constraint.frame < n_frames);
+    // What is hard is shown or not; a path that does not show it comes nearer without it.
+    wishes.poses.clear();
+    wishes.locks.clear();
     if let Some(length) = wishes.length.as_mut().filter(|l| l.mode == LengthMode::Exact) {
         length.mode = LengthMode::Preferred;
         length.weight = length.weight.max(1.0) * EXACT_AS_WEIGHT;

@@ -1,8 +1,11 @@
 //! A path with everything that scoring a change of it needs.
 
 use super::library::SearchLibrary;
-use super::problem::Target;
+use super::stretch::{self, Stretch};
+use super::target::Target;
+use crate::constraint::clearance::CLEARANCE_TOLERANCE_M;
 use crate::constraint::environment::Sums;
+use crate::constraint::obstacle::OBSTACLE_TOLERANCE_M;
 use crate::ids::ClipId;
 use crate::path::Path;
 use crate::planar::PlanarTransform;
@@ -32,12 +35,16 @@ impl Span {
     pub(crate) fn frame_of(&self, clip_frame: u32) -> u32 {
         self.starts_at + clip_frame - self.from
     }
+
+    /// What it shows.
+    #[inline]
+    pub(crate) fn stretch(&self) -> Stretch {
+        let Self { clip, from, to, starts_at, world_from_clip, .. } = *self;
+        Stretch { clip, world_from_clip, from, to, starts_at }
+    }
 }
 
-/// A path laid out: its pieces placed end to end from the anchor, and its score.
-///
-/// Placement starts with the first frame's torso at the anchor. When the first checkpoint is at
-/// a later frame, everything is moved once more when it is read ([`Target::anchor_frame`]).
+/// A path laid out: its pieces placed end to end so that the anchor is met, and its score.
 #[derive(Clone, Debug)]
 pub(crate) struct Route {
     pub(crate) path: Path,
@@ -50,7 +57,8 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    /// Lays out and scores a path; `None` when it is not valid or too short for a checkpoint.
+    /// Lays out and scores a path; `None` when it is not valid, too short for what must be read, or
+    /// does not show what is hard.
     pub(crate) fn new(library: &SearchLibrary, target: &Target, path: Path) -> Option<Self> {
         let forest = &library.graph().forest;
         let per_tau = (1.0 / library.graph().tau) as f32;
@@ -75,9 +83,14 @@ impl Route {
                 from = edge.to_frame.0;
             }
         }
-        let last = spans[spans.len() - 1];
-        let end = last.world_from_clip * library.torsos(last.clip)[last.to as usize - 1];
+        if !target.hard.iter().all(|hard| hard.is_shown(&spans)) {
+            return None;
+        }
+        let end = PlanarTransform::IDENTITY;
         let mut route = Self { path, spans, n_frames: starts_at, cuts_cost, end, score: 0.0 };
+        route.move_to_anchor(library, target);
+        let last = route.spans[route.spans.len() - 1];
+        route.end = last.world_from_clip * library.torsos(last.clip)[last.to as usize - 1];
         route.score = route.total(library, target);
         route.score.is_finite().then_some(route)
     }
@@ -89,7 +102,7 @@ impl Route {
         &self.spans[after - 1]
     }
 
-    /// The torso at a frame of the motion, before the move to the anchor frame.
+    /// The torso at a frame of the motion.
     #[inline]
     pub(crate) fn torso(&self, library: &SearchLibrary, frame: u32) -> PlanarTransform {
         let span = self.span_at(frame);
@@ -97,22 +110,15 @@ impl Route {
         span.world_from_clip * library.torsos(span.clip)[clip_frame as usize]
     }
 
-    /// The move that brings the anchor frame's torso onto the anchor.
-    pub(crate) fn world_from_laid(
-        &self,
-        library: &SearchLibrary,
-        target: &Target,
-    ) -> PlanarTransform {
+    /// Pieces are laid from the first frame on; where the anchor is read later, all are moved.
+    fn move_to_anchor(&mut self, library: &SearchLibrary, target: &Target) {
         if target.anchor_frame == 0 || target.anchor_frame >= self.n_frames {
-            return PlanarTransform::IDENTITY;
+            return;
         }
-        target.anchor * self.torso(library, target.anchor_frame).inverse()
-    }
-
-    /// Support sums of a span with heights as they are in the motion's world.
-    pub(crate) fn support(&self, library: &SearchLibrary, span: &Span) -> Sums {
-        let sums = library.support(span.clip).between(span.from, span.to);
-        sums.raised(span.world_from_clip.level_m)
+        let moved = target.anchor * self.torso(library, target.anchor_frame).inverse();
+        for span in &mut self.spans {
+            span.world_from_clip = moved * span.world_from_clip;
+        }
     }
 
     fn total(&self, library: &SearchLibrary, target: &Target) -> f32 {
@@ -121,23 +127,40 @@ impl Route {
         if !score.is_finite() {
             return f32::INFINITY;
         }
-        let moved = self.world_from_laid(library, target);
-        let mut body = 0.0;
-        for inner in &target.inner {
-            body += inner.cost(moved * self.torso(library, inner.frame));
+        let last = self.spans[self.spans.len() - 1];
+        if let Some(wish) = &target.last {
+            score += wish.cost(library, last.world_from_clip, last.clip, last.to - 1);
         }
-        if let Some(last) = &target.last {
-            body += last.cost(moved * self.end);
+        let mut support = Sums::default();
+        for span in &self.spans {
+            let stretch = span.stretch();
+            score += stretch.readings_cost(library, target) + stretch.styles_cost(target);
+            if target.has_surroundings() {
+                score += stretch.surroundings_cost(library, target, f32::INFINITY);
+            }
+            support = support.plus(&stretch.support(library));
         }
-        score += target.weights.body * body;
         if target.on_the_floor && library.leaves_the_floor() {
             let frame_secs = library.clips().fps().frame_secs() as f32;
-            let sums = self
-                .spans
-                .iter()
-                .fold(Sums::default(), |sum, span| sum.plus(&self.support(library, span)));
-            score += target.weights.environment * sums.cost_at(moved.level_m, frame_secs);
+            score += target.weights.environment * support.cost_at(0.0, frame_secs);
         }
         score
+    }
+
+    /// Whether it keeps clear of everything by as much as counts as well.
+    pub(crate) fn is_clear(&self, library: &SearchLibrary, target: &Target) -> bool {
+        if !target.has_surroundings() {
+            return true;
+        }
+        self.spans.iter().all(|span| {
+            (span.from..span.to).all(|clip_frame| {
+                let torso = span.world_from_clip * library.torsos(span.clip)[clip_frame as usize];
+                let at = (span.clip, clip_frame);
+                let near_m =
+                    stretch::too_near_m(target, torso.ground_m(), span.frame_of(clip_frame));
+                stretch::depth_m(library, target, torso, at) <= OBSTACLE_TOLERANCE_M
+                    && near_m <= CLEARANCE_TOLERANCE_M
+            })
+        })
     }
 }

@@ -11,8 +11,8 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
 use super::library::{Cut, SearchLibrary};
-use super::problem::Target;
 use super::route::Route;
+use super::target::Target;
 use crate::ids::ClipId;
 use crate::path::Path;
 use crate::planar::{PlanarTransform, wrap_angle_rad};
@@ -41,9 +41,9 @@ impl Schedule {
     fn new(target: &Target, n_frames: u32, fps: f32) -> Self {
         let point = |frame, t: PlanarTransform| (frame, t.ground_m(), t.heading_rad());
         let mut points = vec![point(target.anchor_frame, target.anchor)];
-        points.extend(target.inner.iter().map(|t| point(t.frame, t.world_from_torso)));
+        points.extend(target.waypoints.iter().map(|&(frame, torso)| point(frame, torso)));
         // The last checkpoint is read at the last frame, whatever its own is.
-        points.extend(target.last.map(|t| point(n_frames - 1, t.world_from_torso)));
+        points.extend(target.last_torso.map(|torso| point(n_frames - 1, torso)));
         Self { points, fps }
     }
 
@@ -81,7 +81,7 @@ pub(crate) fn grow(
     rng: &mut Pcg64Mcg,
 ) -> Option<Route> {
     let n_frames = target.frames.unwrap_or_else(|| rng.random_range(FREE_FRAMES));
-    let needed = target.inner.last().map_or(target.anchor_frame, |t| t.frame) + 1;
+    let needed = target.needed() + 1;
     let n_frames = n_frames.max(needed).max(1);
     let schedule = Schedule::new(target, n_frames, library.clips().fps().get() as f32);
     // 1, 2, 4 … 64 draws a step.

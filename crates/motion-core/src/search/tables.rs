@@ -1,10 +1,18 @@
 //! Prefix and suffix sums of a route: they make scoring a change O(1) in the motion's length.
 
+use std::cell::OnceCell;
+
 use super::library::SearchLibrary;
-use super::problem::Target;
+use super::moments::Moments;
 use super::route::{Route, Span};
+use super::stretch::{Stretch, surroundings_at};
+use super::target::Target;
 use crate::constraint::environment::Sums;
+use crate::constraint::obstacle::OBSTACLE_STRIDE;
 use crate::planar::PlanarTransform;
+
+/// Tails that come up to so many frames earlier or later than before have their sums kept.
+const MAX_LATE: i64 = 64;
 
 /// What one piece of a route offers to a splice.
 #[derive(Clone, Debug)]
@@ -15,8 +23,6 @@ pub(crate) struct SpanTable {
     /// Entry `i`: cost of everything shown before frame `i` if the piece is left there. Infinite
     /// where it cannot be left.
     pub(crate) head_cost: Vec<f32>,
-    /// Entry `j`: from the torso at frame `j` to the route's last torso.
-    pub(crate) end_from_torso: Vec<PlanarTransform>,
     /// Cost of the cuts after the piece.
     pub(crate) cuts_after: f32,
     /// A route that enters the piece at frame `j` shows `frames_from_zero − j` frames from there.
@@ -26,75 +32,234 @@ pub(crate) struct SpanTable {
 }
 
 /// Tables of every piece of a route.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Tables {
     pub(crate) spans: Vec<SpanTable>,
-    /// Whether the environment term is in play at all.
+    /// Whether the support term is in play at all.
     pub(crate) uses_support: bool,
     pub(crate) frame_secs: f32,
+    /// For each lateness from `-MAX_LATE` on: entry `k` sums the readings from the k-th on and the
+    /// last checkpoint, as the route's frames stand that are shown at their time then.
+    by_late: Vec<OnceCell<Vec<Moments>>>,
+    /// For each style, entry `f`: how many of the route's frames `0..f` lack the tag.
+    lacks: Vec<Vec<u32>>,
 }
 
 impl Tables {
     pub(crate) fn new(library: &SearchLibrary, target: &Target, route: &Route) -> Self {
         let frame_secs = library.clips().fps().frame_secs() as f32;
         let uses_support = target.on_the_floor && library.leaves_the_floor();
-        let weights = target.weights;
         let mut spans = Vec::with_capacity(route.spans.len());
-        let mut support_before = Sums::default();
+        let mut before = Before::default();
         for span in &route.spans {
             let in_clip = library.torsos(span.clip);
-            let torso: Vec<PlanarTransform> =
-                in_clip.iter().map(|&t| span.world_from_clip * t).collect();
-            let mut head_cost = vec![f32::INFINITY; in_clip.len()];
-            // Checkpoints met before this piece.
-            let mut inner_cost: f32 = 0.0;
-            let mut next_inner = 0;
-            if target.anchor_frame == 0 {
-                while let Some(inner) = target.inner.get(next_inner) {
-                    if inner.frame >= span.starts_at {
-                        break;
-                    }
-                    inner_cost += inner.cost(route.torso(library, inner.frame));
-                    next_inner += 1;
-                }
-            }
-            let fixed = weights.continuity * span.cuts_before;
-            for frame in span.from as usize + 1..in_clip.len() {
-                if target.anchor_frame == 0
-                    && let Some(inner) = target.inner.get(next_inner)
-                    && inner.frame == span.frame_of(frame as u32 - 1)
-                {
-                    inner_cost += inner.cost(torso[frame - 1]);
-                    next_inner += 1;
-                }
-                let mut cost = fixed + weights.body * inner_cost;
-                if uses_support {
-                    let own = library.support(span.clip).between(span.from, frame as u32);
-                    let own = own.raised(span.world_from_clip.level_m);
-                    cost +=
-                        weights.environment * support_before.plus(&own).cost_at(0.0, frame_secs);
-                }
-                head_cost[frame] = cost;
-            }
-            let end_from_torso = torso.iter().map(|t| t.inverse() * route.end).collect();
+            let torso = in_clip.iter().map(|&t| span.world_from_clip * t).collect();
+            let head_cost = head_costs(library, target, span, &before, uses_support, frame_secs);
             let after_span =
                 i64::from(route.n_frames) - i64::from(span.starts_at + span.n_frames());
+            before.add(library, target, span, head_cost.last_shown);
             spans.push(SpanTable {
                 span: *span,
                 torso,
-                head_cost,
-                end_from_torso,
+                head_cost: head_cost.costs,
                 cuts_after: route.cuts_cost - span.cuts_before,
                 frames_from_zero: after_span + i64::from(span.to),
                 support_after: Sums::default(),
             });
-            support_before = support_before.plus(&route.support(library, span));
         }
         let mut support_after = Sums::default();
         for (table, span) in spans.iter_mut().zip(&route.spans).rev() {
             table.support_after = support_after;
-            support_after = support_after.plus(&route.support(library, span));
+            support_after = support_after.plus(&span.stretch().support(library));
         }
-        Self { spans, uses_support, frame_secs }
+        let lacks = target.styles.iter().map(|style| {
+            let mut sums = vec![0u32];
+            for span in &route.spans {
+                let before = sums[sums.len() - 1];
+                let shown = span.from + 1..=span.to;
+                sums.extend(shown.map(|to| before + style.lacking(span.clip, span.from, to)));
+            }
+            sums
+        });
+        let lacks = lacks.collect();
+        let by_late = vec![OnceCell::new(); 2 * MAX_LATE as usize + 1];
+        Self { spans, uses_support, frame_secs, by_late, lacks }
     }
+
+    /// The sums over the readings from the `first`-th on, and the last checkpoint, for a tail that
+    /// comes `late` frames later. `None` for tails that come much later or earlier.
+    #[inline]
+    pub(crate) fn moments(
+        &self,
+        library: &SearchLibrary,
+        target: &Target,
+        route: &Route,
+        (first, late): (usize, i64),
+    ) -> Option<&Moments> {
+        let cell = self.by_late.get(usize::try_from(late + MAX_LATE).ok()?)?;
+        let sums = cell.get_or_init(|| suffix_sums(library, target, route, late));
+        sums.get(first)
+    }
+
+    /// The sums of the last checkpoint alone.
+    #[inline]
+    pub(crate) fn last_moments(
+        &self,
+        library: &SearchLibrary,
+        target: &Target,
+        route: &Route,
+    ) -> Option<&Moments> {
+        self.moments(library, target, route, (target.readings.len(), 0))
+    }
+
+    /// What frames without a wished tag cost from the entry into a piece on.
+    #[inline]
+    pub(crate) fn tail_styles_cost(
+        &self,
+        target: &Target,
+        tail: &SpanTable,
+        entered: u32,
+        entered_at: u32,
+    ) -> f32 {
+        let span = &tail.span;
+        let late = i64::from(entered_at) - i64::from(span.starts_at) + i64::from(span.from)
+            - i64::from(entered);
+        let mut cost = 0.0;
+        for (style, lacks) in target.styles.iter().zip(&self.lacks) {
+            cost += style.cost(span.clip, entered, span.to, entered_at);
+            // The pieces behind, as frames of the route.
+            let n_frames = lacks.len() as i64 - 1;
+            let behind = i64::from(span.starts_at + span.n_frames());
+            let first = (i64::from(style.from) - late).clamp(behind, n_frames);
+            let end = (i64::from(style.to) + 1 - late).clamp(first, n_frames);
+            cost += style.factor * (lacks[end as usize] - lacks[first as usize]) as f32;
+        }
+        cost
+    }
+
+    /// Obstacles and other bodies from the entry into a piece on, with everything moved by `moved`
+    /// and `late` frames later; at least `enough` where it is that much.
+    pub(crate) fn tail_surroundings_cost(
+        &self,
+        library: &SearchLibrary,
+        target: &Target,
+        (tail, entered, entered_at): (&SpanTable, u32, u32),
+        (moved, late): (PlanarTransform, i64),
+        enough: f32,
+    ) -> f32 {
+        let own = Stretch {
+            clip: tail.span.clip,
+            world_from_clip: moved * tail.span.world_from_clip,
+            from: entered,
+            to: tail.span.to,
+            starts_at: entered_at,
+        };
+        let mut cost = own.surroundings_cost(library, target, enough);
+        let behind = self.spans.partition_point(|t| t.span.starts_at <= tail.span.starts_at);
+        for table in &self.spans[behind..] {
+            if cost >= enough {
+                break;
+            }
+            let old = table.span.stretch();
+            let stretch = Stretch {
+                world_from_clip: moved * old.world_from_clip,
+                starts_at: (i64::from(old.starts_at) + late) as u32,
+                ..old
+            };
+            cost += stretch.surroundings_cost(library, target, enough - cost);
+        }
+        cost
+    }
+}
+
+fn suffix_sums(library: &SearchLibrary, target: &Target, route: &Route, late: i64) -> Vec<Moments> {
+    let n = target.readings.len();
+    let mut sums = vec![Moments::default(); n + 1];
+    let last = route.spans[route.spans.len() - 1];
+    if let Some(wish) = &target.last {
+        let read = wish.read(library, last.world_from_clip, last.clip, last.to - 1);
+        sums[n] = Moments::of(wish, read);
+    }
+    for k in (0..n).rev() {
+        let reading = &target.readings[k];
+        let old = i64::from(reading.frame) - late;
+        // Readings behind the end are left out; before the beginning there is no tail.
+        sums[k] = if (0..i64::from(route.n_frames)).contains(&old) {
+            let span = route.span_at(old as u32);
+            let clip_frame = span.from + old as u32 - span.starts_at;
+            let read = reading.read(library, span.world_from_clip, span.clip, clip_frame);
+            sums[k + 1].plus(&Moments::of(reading, read))
+        } else {
+            sums[k + 1]
+        };
+    }
+    sums
+}
+
+/// What the pieces before one have cost: cuts are not in it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Before {
+    cost: f32,
+    support: Sums,
+}
+
+impl Before {
+    fn add(&mut self, library: &SearchLibrary, _: &Target, span: &Span, cost: f32) {
+        self.cost = cost;
+        self.support = self.support.plus(&span.stretch().support(library));
+    }
+}
+
+struct HeadCosts {
+    costs: Vec<f32>,
+    /// What all frames up to the piece's end have cost, without cuts and support.
+    last_shown: f32,
+}
+
+fn head_costs(
+    library: &SearchLibrary,
+    target: &Target,
+    span: &Span,
+    before: &Before,
+    uses_support: bool,
+    frame_secs: f32,
+) -> HeadCosts {
+    let n_frames = library.n_frames(span.clip) as usize;
+    let mut costs = vec![f32::INFINITY; n_frames];
+    let fixed = target.weights.continuity * span.cuts_before;
+    let mut shown = before.cost;
+    let mut last_shown = shown;
+    let mut next_reading = target.first_reading_from(span.starts_at);
+    let has_surroundings = target.has_surroundings();
+    for left in span.from + 1..=n_frames as u32 {
+        let clip_frame = left - 1;
+        let frame = span.frame_of(clip_frame);
+        while let Some(reading) = target.readings.get(next_reading)
+            && reading.frame == frame
+        {
+            shown += reading.cost(library, span.world_from_clip, span.clip, clip_frame);
+            next_reading += 1;
+        }
+        for style in &target.styles {
+            shown += style.cost(span.clip, clip_frame, left, frame);
+        }
+        if has_surroundings && frame.is_multiple_of(OBSTACLE_STRIDE) {
+            let at = (span.clip, clip_frame);
+            shown += surroundings_at(library, target, span.world_from_clip, at, frame);
+        }
+        if left == span.to {
+            last_shown = shown;
+        }
+        if (left as usize) < n_frames {
+            let mut cost = fixed + shown;
+            if uses_support {
+                let own = library.support(span.clip).between(span.from, left);
+                let own = own.raised(span.world_from_clip.level_m);
+                let sums = before.support.plus(&own);
+                cost += target.weights.environment * sums.cost_at(0.0, frame_secs);
+            }
+            costs[left as usize] = cost;
+        }
+    }
+    HeadCosts { costs, last_shown }
 }

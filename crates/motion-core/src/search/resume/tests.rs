@@ -3,8 +3,8 @@
 use glam::Vec2;
 
 use super::*;
-use crate::constraint::{BodyConstraint, LengthWish};
-use crate::score::{Weights, judge};
+use crate::constraint::{BodyConstraint, LengthWish, Tolerance};
+use crate::score::judge;
 use crate::testing::wander;
 
 fn library() -> Arc<SearchLibrary> {
@@ -21,10 +21,11 @@ fn problem(x: f32, mode: LengthMode) -> Problem {
         heading_rad: 0.3,
         height_m: None,
         weight: 1.0,
+        tolerance: Tolerance::default(),
     };
     let length = Some(LengthWish { frames: 150, mode, weight: 1.0 });
     let body = vec![checkpoint(0, 0.0, 0.0), checkpoint(70, 0.5 * x, 2.5), checkpoint(149, x, 4.5)];
-    let wishes = Wishes { length, body, weights: Weights::default() };
+    let wishes = Wishes { length, body, ..Wishes::default() };
     Problem { wishes, allowed_clips: vec![true; 6], bridges: true }
 }
 

@@ -1,0 +1,183 @@
+//! Things in the way: every joint keeps out of them along the whole motion. Soft.
+
+use glam::{Vec2, Vec3};
+
+use crate::planar::PlanarTransform;
+
+/// Joints keep this far from obstacles: about the thickness of a body around them, metres.
+pub const BODY_MARGIN_M: f32 = 0.10;
+
+/// A joint this deep within the margin for a second counts 1, metres: where it reaches the obstacle
+/// itself.
+pub const OBSTACLE_TOLERANCE_M: f32 = 0.10;
+
+/// Frames between those that are looked at when a motion is scored.
+pub const OBSTACLE_STRIDE: u32 = 3;
+
+/// How high above its underside a ceiling reaches, metres: higher than anyone jumps.
+const CEILING_THICKNESS_M: f32 = 20.0;
+
+/// Something solid. Lengths in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Obstacle {
+    /// A box, turned about +Y.
+    Box {
+        /// Its middle.
+        center_m: Vec3,
+        /// Its edges along its own axes.
+        size_m: Vec3,
+        /// Its turn, radians.
+        heading_rad: f32,
+    },
+    /// An upright cylinder.
+    Cylinder {
+        /// Its middle.
+        center_m: Vec3,
+        /// Its radius.
+        radius_m: f32,
+        /// Its height.
+        height_m: f32,
+    },
+    /// A level rectangle that nothing may rise above; solid from its height upwards.
+    Ceiling {
+        /// The middle of its underside.
+        center_m: Vec3,
+        /// Its edges along its own x and z.
+        size_m: Vec2,
+        /// Its turn, radians.
+        heading_rad: f32,
+    },
+}
+
+impl Obstacle {
+    /// Whether every number is one and every size above 0.
+    pub fn is_valid(&self) -> bool {
+        match *self {
+            Self::Box { center_m, size_m, heading_rad } => {
+                center_m.is_finite()
+                    && size_m.is_finite()
+                    && size_m.min_element() > 0.0
+                    && heading_rad.is_finite()
+            }
+            Self::Cylinder { center_m, radius_m, height_m } => {
+                center_m.is_finite()
+                    && radius_m.is_finite()
+                    && radius_m > 0.0
+                    && height_m.is_finite()
+                    && height_m > 0.0
+            }
+            Self::Ceiling { center_m, size_m, heading_rad } => {
+                center_m.is_finite()
+                    && size_m.is_finite()
+                    && size_m.min_element() > 0.0
+                    && heading_rad.is_finite()
+            }
+        }
+    }
+}
+
+/// An [`Obstacle`] prepared for many questions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Solid {
+    /// Ground and turn of the middle, out of which points come into its own axes.
+    own_from_world: PlanarTransform,
+    /// Half the edges along its own x and z, or the radius twice.
+    half_m: Vec2,
+    is_round: bool,
+    bottom_m: f32,
+    top_m: f32,
+    /// Radius of the circle around it on the ground.
+    around_m: f32,
+    middle_m: Vec2,
+}
+
+impl Solid {
+    pub(crate) fn new(obstacle: &Obstacle) -> Self {
+        let (center_m, half_m, heading_rad, is_round, bottom_m, top_m) = match *obstacle {
+            Obstacle::Box { center_m, size_m, heading_rad } => {
+                let half = 0.5 * size_m;
+                let ends = (center_m.y - half.y, center_m.y + half.y);
+                (center_m, Vec2::new(half.x, half.z), heading_rad, false, ends.0, ends.1)
+            }
+            Obstacle::Cylinder { center_m, radius_m, height_m } => {
+                let ends = (center_m.y - 0.5 * height_m, center_m.y + 0.5 * height_m);
+                (center_m, Vec2::splat(radius_m), 0.0, true, ends.0, ends.1)
+            }
+            Obstacle::Ceiling { center_m, size_m, heading_rad } => {
+                let top = center_m.y + CEILING_THICKNESS_M;
+                (center_m, 0.5 * size_m, heading_rad, false, center_m.y, top)
+            }
+        };
+        let middle_m = Vec2::new(center_m.x, center_m.z);
+        Self {
+            own_from_world: PlanarTransform::new(heading_rad, middle_m, 0.0).inverse(),
+            half_m,
+            is_round,
+            bottom_m,
+            top_m,
+            around_m: if is_round { half_m.x } else { half_m.length() },
+            middle_m,
+        }
+    }
+
+    /// Whether a body at `ground_m` whose joints reach `reach_m` sideways and `top_m` up can touch it
+    /// at all.
+    #[inline]
+    pub(crate) fn is_near(&self, ground_m: Vec2, reach_m: f32, top_m: f32) -> bool {
+        let far = self.around_m + reach_m + BODY_MARGIN_M;
+        top_m + BODY_MARGIN_M > self.bottom_m
+            && self.middle_m.distance_squared(ground_m) < far * far
+    }
+
+    /// How deep a point lies within the solid and the margin around it, metres; 0 outside.
+    #[inline]
+    pub(crate) fn depth_m(&self, world: Vec3) -> f32 {
+        let p = self.own_from_world.apply(world);
+        let sideways = if self.is_round {
+            Vec2::new(p.x, p.z).length() - self.half_m.x
+        } else {
+            let out = Vec2::new(p.x.abs() - self.half_m.x, p.z.abs() - self.half_m.y);
+            out.max(Vec2::ZERO).length() + out.max_element().min(0.0)
+        };
+        let upright = (self.bottom_m - p.y).max(p.y - self.top_m);
+        let outside = Vec2::new(sideways, upright);
+        let distance = outside.max(Vec2::ZERO).length() + outside.max_element().min(0.0);
+        (BODY_MARGIN_M - distance).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depth_counts_from_the_margin_inwards() {
+        let size_m = Vec3::new(2.0, 2.0, 1.0);
+        let heading_rad = std::f32::consts::FRAC_PI_2;
+        let solid = Solid::new(&Obstacle::Box { center_m: Vec3::Y, size_m, heading_rad });
+        // Turned by a quarter: one metre along x is now its short side.
+        for (at, depth) in [
+            (Vec3::new(0.55, 1.0, 0.0), 0.05),
+            (Vec3::new(0.5, 1.0, 0.9), 0.10),
+            (Vec3::new(0.7, 1.0, 0.0), 0.0),
+            (Vec3::new(0.0, 2.05, 0.0), 0.05),
+            (Vec3::new(0.0, 1.0, 0.0), 0.6),
+        ] {
+            assert!((solid.depth_m(at) - depth).abs() < 1e-5, "{at}: {}", solid.depth_m(at));
+        }
+        let round = Obstacle::Cylinder { center_m: Vec3::Y, radius_m: 0.5, height_m: 2.0 };
+        let depth_m = Solid::new(&round).depth_m(Vec3::new(0.3, 1.0, 0.4));
+        assert!((depth_m - 0.10).abs() < 1e-5, "on its side: {depth_m}");
+    }
+
+    #[test]
+    fn a_ceiling_is_solid_upwards_and_nothing_below() {
+        let center_m = Vec3::new(0.0, 1.4, 5.0);
+        let size_m = Vec2::new(2.0, 1.0);
+        let solid = Solid::new(&Obstacle::Ceiling { center_m, size_m, heading_rad: 0.0 });
+        assert_eq!(solid.depth_m(Vec3::new(0.0, 1.2, 5.0)), 0.0);
+        assert!(solid.depth_m(Vec3::new(0.0, 1.7, 5.0)) > 0.35);
+        assert!(!solid.is_near(Vec2::new(0.0, 5.0), 0.5, 1.2), "who ducks passes");
+        assert!(solid.is_near(Vec2::new(0.0, 5.0), 0.5, 1.6));
+    }
+}

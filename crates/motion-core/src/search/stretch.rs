@@ -1,0 +1,133 @@
+//! Frames of a clip that lie somewhere and are shown from some frame on: what they cost.
+
+use glam::Vec2;
+
+use super::library::SearchLibrary;
+use super::target::Target;
+use crate::constraint::clearance::CLEARANCE_TOLERANCE_M;
+use crate::constraint::environment::Sums;
+use crate::constraint::obstacle::{OBSTACLE_STRIDE, OBSTACLE_TOLERANCE_M};
+use crate::ids::ClipId;
+use crate::planar::PlanarTransform;
+
+/// Frames `from..to` of a clip, shown from the motion's frame `starts_at` on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stretch {
+    pub(crate) clip: ClipId,
+    pub(crate) world_from_clip: PlanarTransform,
+    pub(crate) from: u32,
+    pub(crate) to: u32,
+    pub(crate) starts_at: u32,
+}
+
+impl Stretch {
+    /// The motion's frame after the last that is shown.
+    #[inline]
+    pub(crate) fn ends_at(&self) -> u32 {
+        self.starts_at + self.to - self.from
+    }
+
+    /// What is read within it.
+    #[inline]
+    pub(crate) fn readings_cost(&self, library: &SearchLibrary, target: &Target) -> f32 {
+        let first = target.first_reading_from(self.starts_at);
+        let mut cost = 0.0;
+        for reading in &target.readings[first..] {
+            if reading.frame >= self.ends_at() {
+                break;
+            }
+            let clip_frame = self.from + reading.frame - self.starts_at;
+            cost += reading.cost(library, self.world_from_clip, self.clip, clip_frame);
+        }
+        cost
+    }
+
+    /// Frames without a wished tag.
+    #[inline]
+    pub(crate) fn styles_cost(&self, target: &Target) -> f32 {
+        let styles = target.styles.iter();
+        styles.map(|style| style.cost(self.clip, self.from, self.to, self.starts_at)).sum()
+    }
+
+    /// Support sums with heights as they are in the world.
+    #[inline]
+    pub(crate) fn support(&self, library: &SearchLibrary) -> Sums {
+        let sums = library.support(self.clip).between(self.from, self.to);
+        sums.raised(self.world_from_clip.level_m)
+    }
+
+    /// Joints in obstacles and bodies in each other; at least `enough` where it is that much.
+    pub(crate) fn surroundings_cost(
+        &self,
+        library: &SearchLibrary,
+        target: &Target,
+        enough: f32,
+    ) -> f32 {
+        let mut cost = 0.0;
+        let first = self.starts_at.next_multiple_of(OBSTACLE_STRIDE);
+        for frame in (first..self.ends_at()).step_by(OBSTACLE_STRIDE as usize) {
+            let clip_frame = self.from + frame - self.starts_at;
+            cost += surroundings_at(
+                library,
+                target,
+                self.world_from_clip,
+                (self.clip, clip_frame),
+                frame,
+            );
+            if cost >= enough {
+                break;
+            }
+        }
+        cost
+    }
+}
+
+/// What a frame that is looked at costs for being in something's way, with those up to the next.
+#[inline]
+pub(crate) fn surroundings_at(
+    library: &SearchLibrary,
+    target: &Target,
+    world_from_clip: PlanarTransform,
+    (clip, clip_frame): (ClipId, u32),
+    frame: u32,
+) -> f32 {
+    let torso = world_from_clip * library.torsos(clip)[clip_frame as usize];
+    let depth_m = depth_m(library, target, torso, (clip, clip_frame));
+    let near_m = too_near_m(target, torso.ground_m(), frame);
+    if depth_m == 0.0 && near_m == 0.0 {
+        return 0.0;
+    }
+    let squares =
+        (depth_m / OBSTACLE_TOLERANCE_M).powi(2) + (near_m / CLEARANCE_TOLERANCE_M).powi(2);
+    let secs = library.clips().fps().frame_secs() as f32 * OBSTACLE_STRIDE as f32;
+    target.weights.environment * squares * secs
+}
+
+/// How deep a body is within obstacles, metres.
+#[inline]
+pub(crate) fn depth_m(
+    library: &SearchLibrary,
+    target: &Target,
+    world_from_torso: PlanarTransform,
+    (clip, clip_frame): (ClipId, u32),
+) -> f32 {
+    let mut deepest_m = 0.0f32;
+    for solid in &target.solids {
+        let extent = library.extent(clip, clip_frame);
+        let top_m = world_from_torso.level_m + extent.top_m;
+        if !solid.is_near(world_from_torso.ground_m(), extent.reach_m, top_m) {
+            continue;
+        }
+        for &joint in library.joints(clip, clip_frame) {
+            deepest_m = deepest_m.max(solid.depth_m(world_from_torso.apply(joint)));
+        }
+    }
+    deepest_m
+}
+
+/// How much too near other bodies are at a frame, metres.
+#[inline]
+pub(crate) fn too_near_m(target: &Target, ground_m: Vec2, frame: u32) -> f32 {
+    let near = target.others.iter().map(|other| other.too_near_m(frame, ground_m));
+    near.fold(0.0, f32::max)
+}

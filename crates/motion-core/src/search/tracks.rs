@@ -1,0 +1,24 @@
+//! How far bodies reach, frame by frame: a look at this spares most looks at joints.
+
+use glam::{Vec2, Vec3};
+
+/// A cylinder around the torso frame's upright that holds every joint.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Extent {
+    /// Its radius, metres.
+    pub(crate) reach_m: f32,
+    /// Its height over the level of the support, metres.
+    pub(crate) top_m: f32,
+}
+
+impl Extent {
+    /// Of joints in the torso frame.
+    pub(crate) fn of(joints_m: &[Vec3]) -> Self {
+        let mut extent = Self { reach_m: 0.0, top_m: f32::NEG_INFINITY };
+        for joint in joints_m {
+            extent.reach_m = extent.reach_m.max(Vec2::new(joint.x, joint.z).length());
+            extent.top_m = extent.top_m.max(joint.y);
+        }
+        extent
+    }
+}

@@ -219,7 +219,7 @@ fn cuts_between(
 }
 
 /// The first [`PER_LINK`] of `cuts` that are well separated from those before them.
-fn well_separated(cuts: Vec<Bridge>) -> Vec<Bridge> {
+pub(super) fn well_separated(cuts: Vec<Bridge>) -> Vec<Bridge> {
     let mut kept: Vec<Bridge> = Vec::new();
     for cut in cuts {
         let near = |other: &Bridge| {

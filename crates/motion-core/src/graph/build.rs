@@ -8,6 +8,7 @@ use super::MotionGraph;
 use super::bridges::{find_bridges, with_bridges};
 use super::cluster::{Moments, clusters, split_in_two};
 use super::components::connectivity;
+use super::entrances::find_entrances;
 use super::forest::{ClipPair, Edge, Forest, ForestError, ForestParts};
 use super::islands::islands;
 use crate::cancel::{CancelToken, Cancelled};
@@ -141,6 +142,11 @@ pub fn build(
                 break;
             }
             forest = with_bridges(&forest, &bridges, &clip_frames)?;
+            with_all = connectivity(&forest, &clip_frames, true);
+        }
+        let entrances = find_entrances(&features, &with_all, &clip_frames);
+        if !entrances.is_empty() {
+            forest = with_bridges(&forest, &entrances, &clip_frames)?;
             with_all = connectivity(&forest, &clip_frames, true);
         }
     }

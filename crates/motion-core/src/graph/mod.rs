@@ -12,6 +12,7 @@ mod brute;
 pub mod build;
 mod cluster;
 pub mod components;
+pub mod entrances;
 pub mod forest;
 mod islands;
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::Vec2;
 use proptest::prelude::*;
 
+use super::Search;
 use super::best::Best;
 use super::evaluate::Evaluator;
 use super::library::SearchLibrary;
@@ -12,9 +13,9 @@ use super::mutation::Mutation;
 use super::problem::Problem;
 use super::rng::stream;
 use super::route::Route;
+use super::seeds::{self, Anchors, Growth};
 use super::tables::Tables;
 use super::target::Target;
-use super::{Search, seeds};
 use crate::cancel::CancelToken;
 use crate::constraint::{BodyConstraint, LengthMode, LengthWish, Tolerance};
 use crate::score::{Wishes, judge};
@@ -49,11 +50,18 @@ fn wishes(first: u32, mode: LengthMode) -> Wishes {
     }
 }
 
+/// A seed, with every clip allowed.
+fn grow(library: &SearchLibrary, target: &Target, rng: &mut rand_pcg::Pcg64Mcg) -> Option<Route> {
+    let all = vec![true; library.graph().n_clips()];
+    let cuts = vec![Vec::new(); target.hard.len()];
+    let anchors = Anchors::new(library, target, (&all, true), cuts);
+    seeds::grow(library, target, (&all, true), &anchors, Growth { width: 4 }, rng)
+}
+
 /// A path that has come some way downhill.
 fn some_route(library: &SearchLibrary, target: &Target, seed: u64) -> Route {
-    let all = vec![true; library.graph().n_clips()];
     (0..100)
-        .find_map(|item| seeds::grow(library, target, (&all, true), &mut stream(seed, 1, item)))
+        .find_map(|item| grow(library, target, &mut stream(seed, 1, item)))
         .expect("a seed within a hundred")
 }
 
@@ -64,9 +72,8 @@ fn a_route_scores_what_a_walk_over_its_frames_finds() {
         let wishes = wishes(first, LengthMode::Preferred);
         let target = Target::new(&library, &wishes);
         for item in 0..20 {
-            let all = vec![true; 6];
             let rng = &mut stream(seed, 9, item);
-            let Some(route) = seeds::grow(&library, &target, (&all, true), rng) else { continue };
+            let Some(route) = grow(&library, &target, rng) else { continue };
             let judged =
                 judge(library.graph(), library.clips(), &wishes, &route.path).expect("long enough");
             let (fast, slow) = (route.score, judged.terms.total());

@@ -1,6 +1,9 @@
 //! One line of the search: from a seed downhill to a local minimum.
 
+use std::ops::Range;
+
 use rand::RngExt;
+use rand::seq::SliceRandom;
 use rand_pcg::Pcg64Mcg;
 
 use super::best::{Best, ScoreCounts};
@@ -8,7 +11,7 @@ use super::evaluate::Evaluator;
 use super::library::SearchLibrary;
 use super::rng::stream;
 use super::route::Route;
-use super::seeds;
+use super::seeds::{self, Anchors, Growth};
 use super::tables::Tables;
 use super::target::Target;
 use crate::path::Path;
@@ -22,8 +25,11 @@ const LEAST_GAIN: f32 = 1e-4;
 /// A step that gains this share is taken without looking at the many two-hop mutations.
 const GOOD_GAIN: f32 = 0.05;
 
-/// Seeds drawn for one start; the best is taken.
-const SEEDS_PER_START: usize = 16;
+/// Known minima with a stretch replaced that are drawn for one start; the best is taken.
+const DRAWS_PER_START: usize = 16;
+
+/// Paths kept by the beams of seeds, from the first line's on: narrow ones are soon there.
+const BEAM_WIDTHS: [usize; 4] = [4, 8, 16, 32];
 
 /// Frames beside the wished length that new starts and ends are tried with: none, since other
 /// ends are tried in the next step.
@@ -39,12 +45,19 @@ const ROUGH_SCORE: f32 = 3.0;
 /// given up instead of being followed to its minimum.
 const N_TO_BEAT: usize = 10;
 
+/// Pieces of a long motion that are changed together …
+const WINDOW_PIECES: usize = 8;
+/// … and how far it is from one such window to the next.
+const WINDOW_STEP: usize = 5;
+
 /// What a round tells its lines.
 pub(super) struct Pace<'a> {
     pub(super) seed: u64,
     pub(super) round: u64,
     /// Local minima known when the round began.
     pub(super) elite: &'a [Route],
+    /// What seeds come through.
+    pub(super) anchors: &'a Anchors,
 }
 
 /// A line: where it is, if it has started.
@@ -130,16 +143,21 @@ impl Line {
         rng: &mut Pcg64Mcg,
     ) -> Option<Route> {
         let near_elite = !self.number.is_multiple_of(4) && !pace.elite.is_empty();
+        if !near_elite && pace.elite.is_empty() {
+            return first_seed(library, target, scope, pace.anchors, rng);
+        }
+        if !near_elite {
+            // Over lines and rounds every width has its turn.
+            let nth = (self.number / 4 + pace.round) as usize;
+            let growth = Growth { width: BEAM_WIDTHS[nth % BEAM_WIDTHS.len()] };
+            return seeds::grow(library, target, scope, pace.anchors, growth, rng);
+        }
         let mut best: Option<Route> = None;
-        for _ in 0..SEEDS_PER_START {
-            let seed = if near_elite {
-                // Better minima more often: the rank is the smaller of two draws.
-                let n = pace.elite.len();
-                let rank = rng.random_range(0..n).min(rng.random_range(0..n));
-                seeds::perturb(library, target, scope, &pace.elite[rank], rng)
-            } else {
-                seeds::grow(library, target, scope, rng)
-            };
+        for _ in 0..DRAWS_PER_START {
+            // Better minima more often: the rank is the smaller of two draws.
+            let n = pace.elite.len();
+            let rank = rng.random_range(0..n).min(rng.random_range(0..n));
+            let seed = seeds::perturb(library, target, scope, &pace.elite[rank], rng);
             let better = |s: &Route| best.as_ref().is_none_or(|b| s.score < b.score);
             if let Some(seed) = seed.filter(better) {
                 best = Some(seed);
@@ -149,10 +167,35 @@ impl Line {
     }
 }
 
+/// While nothing is known: ever wider beams until one brings a motion that may be acceptable.
+fn first_seed(
+    library: &SearchLibrary,
+    target: &Target,
+    scope: (&[bool], bool),
+    anchors: &Anchors,
+    rng: &mut Pcg64Mcg,
+) -> Option<Route> {
+    let mut best: Option<Route> = None;
+    for width in BEAM_WIDTHS {
+        let seed = seeds::grow(library, target, scope, anchors, Growth { width }, rng);
+        if let Some(seed) = seed {
+            let wanted = seed.score <= target.most_when_acceptable(seed.cuts_cost);
+            if best.as_ref().is_none_or(|best| seed.score < best.score) {
+                best = Some(seed);
+            }
+            if wanted {
+                break;
+            }
+        }
+    }
+    best
+}
+
 /// The best change of `route`, or `None` when nothing is better: a local minimum.
 ///
-/// A route above `to_beat` for which nothing better is found among the simple mutations and a
-/// sample of the others counts as given up; the caller can tell by its score.
+/// A long motion is changed window by window, each by its best change. A route above `to_beat` for
+/// which nothing better is found among the simple mutations and a sample of the others counts as
+/// given up; the caller can tell by its score.
 pub(super) fn descend(
     library: &SearchLibrary,
     target: &Target,
@@ -162,23 +205,65 @@ pub(super) fn descend(
     rng: &mut Pcg64Mcg,
     counts: &mut ScoreCounts,
 ) -> Option<Route> {
+    let mut current: Option<Route> = None;
+    let mut windows = windows(route.spans.len());
+    windows.shuffle(rng);
+    for window in windows {
+        let here = current.as_ref().unwrap_or(route);
+        // Windows are of the route as it was; it may have fewer pieces now.
+        let n_spans = here.spans.len();
+        let window = window.start.min(n_spans)..window.end.min(n_spans);
+        let better = best_change(library, target, scope, (here, window), to_beat, rng, counts);
+        current = better.or(current);
+    }
+    current
+}
+
+/// The pieces that are changed together: all of them, or overlapping stretches of a long motion.
+fn windows(n_spans: usize) -> Vec<Range<usize>> {
+    if n_spans <= WINDOW_PIECES + WINDOW_STEP {
+        return vec![0..n_spans];
+    }
+    let starts = (0..n_spans - WINDOW_PIECES).step_by(WINDOW_STEP);
+    let mut windows: Vec<_> = starts.map(|start| start..start + WINDOW_PIECES).collect();
+    windows.push(n_spans - WINDOW_PIECES..n_spans);
+    windows
+}
+
+fn best_change(
+    library: &SearchLibrary,
+    target: &Target,
+    scope: (&[bool], bool),
+    (route, window): (&Route, Range<usize>),
+    to_beat: f32,
+    rng: &mut Pcg64Mcg,
+    counts: &mut ScoreCounts,
+) -> Option<Route> {
     let tables = Tables::new(library, target, route);
     let ceiling = route.score - LEAST_GAIN * route.score.abs().max(1e-3);
+    let (at_start, at_end) = (window.start == 0, window.end == route.spans.len());
+    // A window's share of the score is what its changes can gain.
+    let share = window.len() as f32 / route.spans.len().max(1) as f32;
+    let good_gain = GOOD_GAIN * share * route.score;
     let best = Best::new(N_BEST, ceiling);
-    let mut evaluator = Evaluator::new(library, target, scope, route, &tables, best);
+    let mut evaluator = Evaluator::new(library, target, scope, route, &tables, best).within(window);
     // The many joint mutations only when the simple ones bring little. Of the detours a sample
     // first; when nothing at all is better, every one of them, so that a minimum is one.
     let brings_little = |evaluator: &Evaluator<'_>| {
-        evaluator.best.least().is_none_or(|least| least > route.score * (1.0 - GOOD_GAIN))
+        evaluator.best.least().is_none_or(|least| least > route.score - good_gain)
     };
     evaluator.reconnect();
-    evaluator.move_ends();
+    if at_start || at_end {
+        evaluator.move_ends();
+    }
     evaluator.refine();
     if brings_little(&evaluator) {
         evaluator.rejoin();
     }
-    if brings_little(&evaluator) {
+    if at_start && brings_little(&evaluator) {
         evaluator.new_starts(SLACK);
+    }
+    if at_end && brings_little(&evaluator) {
         evaluator.new_ends(SLACK);
     }
     if brings_little(&evaluator) {

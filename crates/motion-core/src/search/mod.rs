@@ -20,6 +20,7 @@ mod moments;
 mod mutation;
 mod neighbourhood;
 mod problem;
+mod reach;
 mod reading;
 mod reconnect;
 mod refine;
@@ -52,7 +53,9 @@ use crate::path::Path;
 use crate::score::{Judgement, judge};
 use alternatives::Alternatives;
 use line::{Line, Pace};
+use reach::anchors_of;
 use route::Route;
+use seeds::Anchors;
 use target::Target;
 
 /// Lines that run side by side. Fixed, since it takes part in the outcome.
@@ -97,6 +100,7 @@ pub struct Search {
     library: Arc<SearchLibrary>,
     problem: Problem,
     target: Target,
+    anchors: Anchors,
     seed: u64,
     lines: Vec<Line>,
     /// Kept paths that no line has gone on from yet, the best last.
@@ -117,11 +121,23 @@ impl Search {
     ) -> Result<Self, ProblemError> {
         problem.check()?;
         let target = Target::new(&library, &problem.wishes);
+        let anchors = anchors_of(&library, &target, &problem)?;
         let lines = (0..N_LINES).map(Line::new).collect();
         let progress = Progress { best: f32::INFINITY, ..Progress::default() };
         let alternatives = Alternatives::new(MAX_ALTERNATIVES);
         let (waiting, best) = (Vec::new(), None);
-        Ok(Self { library, problem, target, seed, lines, waiting, alternatives, best, progress })
+        Ok(Self {
+            library,
+            problem,
+            target,
+            anchors,
+            seed,
+            lines,
+            waiting,
+            alternatives,
+            best,
+            progress,
+        })
     }
 
     /// One round: every line takes a step. Returns `false`, with nothing changed, if cancelled
@@ -130,7 +146,7 @@ impl Search {
         let round = self.progress.iteration + 1;
         let elite: Vec<Route> =
             self.alternatives.kept().iter().map(|kept| kept.route.clone()).collect();
-        let pace = Pace { seed: self.seed, round, elite: &elite };
+        let pace = Pace { seed: self.seed, round, elite: &elite, anchors: &self.anchors };
         let scope = (self.problem.allowed_clips.as_slice(), self.problem.bridges);
         let (library, target) = (&self.library, &self.target);
         let stepped: Vec<Option<line::Stepped>> = self

@@ -21,8 +21,9 @@ impl Evaluator<'_> {
             .collect();
         let per_tau = (1.0 / self.library.graph().tau) as f32;
         let cost_of = |id: EdgeId| forest.edge(id).cost * per_tau;
-        for first in 0..cuts.len() {
-            for second in first..cuts.len() {
+        let window = self.window.start..self.window.end.saturating_sub(1).min(cuts.len());
+        for first in window.clone() {
+            for second in first..window.end {
                 for &first_cut in &options[first] {
                     for &second_cut in &options[second] {
                         let changed = [first_cut != cuts[first], second_cut != cuts[second]];

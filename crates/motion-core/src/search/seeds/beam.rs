@@ -1,0 +1,466 @@
+//! A seed: a beam of paths that grow together through time, cut by cut, the best few of each moment
+//! kept.
+//!
+//! What is kept is chosen by what a path has cost so far, how far it is from where it should be by
+//! then, and what it must still cost to come to the next pose or lock. How many are kept, how much each
+//! of these counts, which cuts are looked at and a little noise are drawn anew for every seed, so that
+//! seeds differ.
+
+use glam::Vec2;
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+
+use super::anchors::{Anchor, Anchors};
+use super::schedule::Schedule;
+use crate::graph::EdgeId;
+use crate::ids::ClipId;
+use crate::path::Path;
+use crate::planar::PlanarTransform;
+use crate::units::FrameIdx;
+
+use super::super::library::{Cut, SearchLibrary};
+use super::super::route::Route;
+use super::super::stretch::Stretch;
+use super::super::target::Target;
+
+/// Pieces of a seed show at least this many frames: shorter ones are left to the mutations.
+const MIN_PIECE: u32 = 8;
+
+/// Pieces of a seed show at most this many frames unless they go on to the end or to an anchor.
+const MAX_PIECE: u32 = 120;
+
+/// Paths compete with those that are cut within so many frames of them.
+const BUCKET_FRAMES: u32 = 6;
+
+/// Cuts out of a piece that are looked at.
+const CUTS_PER_NODE: usize = 64;
+
+/// Ways straight to an anchor that are looked at from one piece.
+const DIRECT_PER_NODE: usize = 3;
+
+/// Lengths tried where nothing says how long the motion should be.
+const FREE_FRAMES: std::ops::Range<u32> = 60..300;
+
+/// Whole paths that are laid out; the best is taken.
+const N_FINALS: usize = 4;
+
+/// Frames beside the wished length at which a path may end.
+const END_SLACK: [i64; 5] = [0, -3, 3, -6, 6];
+
+/// How a seed is grown: all of it is drawn by the caller.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Growth {
+    /// Paths kept at each moment.
+    pub(crate) width: usize,
+}
+
+/// A path so far: it has just entered a clip.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    clip: ClipId,
+    entered: u32,
+    /// The motion's frame that shows `entered`.
+    at: u32,
+    world_from_clip: PlanarTransform,
+    /// Everything that frames before `at` cost, cuts included.
+    cost: f32,
+    /// The node before and the cut that led here.
+    before: Option<(u32, EdgeId)>,
+    /// The next anchor that is not certain yet.
+    next_anchor: usize,
+    /// Frames of the clip before this one must be shown.
+    must_show: u32,
+}
+
+impl Node {
+    /// The first frame of the clip at which a seed cuts away.
+    fn may_leave(&self) -> u32 {
+        self.must_show.max(self.entered + MIN_PIECE)
+    }
+}
+
+struct Candidate {
+    rank: f32,
+    node: Node,
+}
+
+struct Final {
+    score: f32,
+    node: u32,
+    end: u32,
+}
+
+struct Beam<'a> {
+    library: &'a SearchLibrary,
+    target: &'a Target,
+    allowed: &'a [bool],
+    bridges: bool,
+    anchors: Vec<Anchor>,
+    /// Entry `i`: what cuts cost at least from the i-th anchor through all that follow, in τ.
+    onward: Vec<f32>,
+    schedule: Schedule,
+    n_frames: u32,
+    width: usize,
+    look_ahead: u32,
+    /// Factor of costs so far in ranks.
+    past: f32,
+    noise: f32,
+    nodes: Vec<Node>,
+    buckets: Vec<Vec<Candidate>>,
+    finals: Vec<Final>,
+}
+
+/// Grows one seed; `None` when every path ran into a dead end.
+pub(crate) fn grow(
+    library: &SearchLibrary,
+    target: &Target,
+    scope: (&[bool], bool),
+    anchors: &Anchors,
+    growth: Growth,
+    rng: &mut Pcg64Mcg,
+) -> Option<Route> {
+    let n_frames = target.frames.unwrap_or_else(|| rng.random_range(FREE_FRAMES));
+    let n_frames = n_frames.max(target.needed() + 1).max(1);
+    let mut through = anchors.hard.clone();
+    let mut places: Vec<(u32, Vec2)> = Vec::new();
+    for joint in anchors.joints.iter().filter(|joint| joint.len() > 0) {
+        // The better ones more often; now and then none, should they mislead.
+        let nth = rng.random_range(0..joint.len()).min(rng.random_range(0..joint.len()));
+        let anchor = joint.anchor(nth, library, scope);
+        let free = |other: &Anchor| {
+            let last: usize = other.pieces.iter().map(|piece| piece.n_frames()).sum();
+            let (first, last) = (other.first, other.first + last as u32);
+            !(first.saturating_sub(MIN_PIECE)..=last + MIN_PIECE).contains(&anchor.first)
+        };
+        if rng.random_range(0..8) > 0 && through.iter().all(free) {
+            places.extend(anchor.ground_m.map(|ground_m| (anchor.first, ground_m)));
+            through.push(anchor);
+        }
+    }
+    through.sort_by_key(|anchor| anchor.first);
+    let fps = library.clips().fps().get() as f32;
+    let n_buckets = (n_frames / BUCKET_FRAMES) as usize + 2;
+    let mut beam = Beam {
+        library,
+        target,
+        allowed: scope.0,
+        bridges: scope.1,
+        onward: onward(&through),
+        anchors: through,
+        schedule: Schedule::new(target, n_frames, fps, &places),
+        n_frames,
+        width: growth.width,
+        look_ahead: rng.random_range(15..45),
+        past: rng.random_range(0.3f32..1.2),
+        noise: rng.random_range(0.0f32..0.5),
+        nodes: Vec::new(),
+        buckets: (0..n_buckets).map(|_| Vec::new()).collect(),
+        finals: Vec::new(),
+    };
+    beam.start(rng);
+    for bucket in 0..n_buckets {
+        let mut candidates = std::mem::take(&mut beam.buckets[bucket]);
+        candidates.sort_unstable_by(|a, b| a.rank.total_cmp(&b.rank));
+        beam.expand_best(&candidates, rng);
+    }
+    beam.best()
+}
+
+fn onward(anchors: &[Anchor]) -> Vec<f32> {
+    let mut onward = vec![0.0f32; anchors.len()];
+    for nth in (1..anchors.len()).rev() {
+        let last = anchors[nth - 1].pieces[anchors[nth - 1].pieces.len() - 1];
+        let step = anchors[nth].ways.least_cost(last.clip, last.to.0);
+        // Guides of joints may lie where no way leads; the beam finds that out.
+        onward[nth - 1] = onward[nth] + if step.is_finite() { step } else { 0.0 };
+    }
+    onward
+}
+
+impl Beam<'_> {
+    /// Expands the best of a moment, no more than a few in one clip.
+    fn expand_best(&mut self, candidates: &[Candidate], rng: &mut Pcg64Mcg) {
+        let per_clip = self.width.div_ceil(4).max(2);
+        let mut n_in_clip: Vec<(ClipId, usize)> = Vec::new();
+        let mut n_kept = 0;
+        for candidate in candidates {
+            let node = candidate.node;
+            match n_in_clip.iter_mut().find(|(clip, _)| *clip == node.clip) {
+                Some((_, n)) if *n >= per_clip => continue,
+                Some((_, n)) => *n += 1,
+                None => n_in_clip.push((node.clip, 1)),
+            }
+            let idx = self.nodes.len() as u32;
+            self.nodes.push(node);
+            self.expand(idx, node, rng);
+            n_kept += 1;
+            if n_kept == self.width {
+                break;
+            }
+        }
+    }
+
+    /// First pieces: by chance over the library, and those that play straight into the first anchor.
+    fn start(&mut self, rng: &mut Pcg64Mcg) {
+        let n_clips = self.library.graph().n_clips();
+        let place = self.target.anchor_frame;
+        let offer = |beam: &mut Self, clip: ClipId, start: u32, rng: &mut Pcg64Mcg| {
+            let torsos = beam.library.torsos(clip);
+            let Some(read) = torsos.get((start + place) as usize) else { return };
+            let world_from_clip = beam.target.anchor * read.inverse();
+            let node = Node {
+                clip,
+                entered: start,
+                at: 0,
+                world_from_clip,
+                cost: 0.0,
+                before: None,
+                next_anchor: 0,
+                must_show: start + place + 1,
+            };
+            beam.offer(node, 0.0, rng);
+        };
+        if let Some(anchor) = self.anchors.first() {
+            let piece = anchor.piece();
+            if let Some(start) = piece.from.0.checked_sub(anchor.first) {
+                offer(self, piece.clip, start, rng);
+            }
+        }
+        let n_wanted = 4 * self.width + 16;
+        let mut n_tried = 0;
+        while n_tried < n_wanted {
+            n_tried += 1;
+            let clip = ClipId::from_idx(rng.random_range(0..n_clips));
+            let start = rng.random_range(0..self.library.n_frames(clip));
+            if self.allowed[clip.idx()] {
+                offer(self, clip, start, rng);
+            }
+        }
+    }
+
+    /// Takes a new node in, ranked, unless it leads nowhere.
+    fn offer(&mut self, mut node: Node, extra: f32, rng: &mut Pcg64Mcg) {
+        let library = self.library;
+        let n_in_clip = library.n_frames(node.clip);
+        self.pass_anchor(&mut node);
+        let mut ahead_cost = extra;
+        if let Some(anchor) = self.anchors.get(node.next_anchor) {
+            let least = anchor.ways.least_frames(node.clip, node.entered);
+            if least > anchor.first.saturating_sub(node.at) {
+                return;
+            }
+            let cuts = anchor.ways.least_cost(node.clip, node.entered);
+            ahead_cost += self.target.weights.continuity * (cuts + self.onward[node.next_anchor]);
+        }
+        // A clip that ends before the motion does must have a way out.
+        let ends_early = node.at + (n_in_clip - node.entered) < self.n_frames;
+        let dead = library.graph().with_bridges.dead_from[node.clip.idx()];
+        if ends_early && node.may_leave() >= dead {
+            return;
+        }
+        let next = self.schedule.next_frame(node.at + 1).unwrap_or(self.n_frames - 1);
+        let ahead = self.look_ahead.min(next.min(self.n_frames - 1).saturating_sub(node.at));
+        let reach = (node.entered + ahead).min(n_in_clip - 1);
+        let seen_at = node.at + reach - node.entered;
+        let there = node.world_from_clip * library.torsos(node.clip)[reach as usize];
+        let error = self.schedule.error(seen_at, there);
+        let ahead = Stretch {
+            clip: node.clip,
+            world_from_clip: node.world_from_clip,
+            from: node.entered,
+            to: reach,
+            starts_at: node.at,
+        };
+        ahead_cost += ahead.styles_cost(self.target);
+        if self.target.has_surroundings() {
+            ahead_cost += ahead.surroundings_cost(library, self.target, f32::INFINITY);
+        }
+        let rank = error + self.past * (node.cost + ahead_cost);
+        let rank = rank * (1.0 + self.noise * rng.random_range(-1.0f32..1.0));
+        let bucket = (node.at / BUCKET_FRAMES) as usize;
+        if let Some(bucket) = self.buckets.get_mut(bucket) {
+            bucket.push(Candidate { rank, node });
+        }
+    }
+
+    /// Notes that a node that plays on shows the next anchor, and goes through a lock's pieces.
+    fn pass_anchor(&mut self, node: &mut Node) {
+        while let Some(anchor) = self.anchors.get(node.next_anchor) {
+            let piece = anchor.piece();
+            let shown = (node.entered + anchor.first).checked_sub(node.at);
+            let on_track =
+                node.clip == piece.clip && node.at <= anchor.first && shown == Some(piece.from.0);
+            if !on_track {
+                return;
+            }
+            node.next_anchor += 1;
+            node.must_show = piece.to.0 + 1;
+            let (pieces, cuts) = (anchor.pieces.clone(), anchor.cuts.clone());
+            for (piece, cut) in pieces[1..].iter().zip(cuts) {
+                let idx = self.nodes.len() as u32;
+                self.nodes.push(*node);
+                let left = node.must_show;
+                let stretch = Stretch {
+                    clip: node.clip,
+                    world_from_clip: node.world_from_clip,
+                    from: node.entered,
+                    to: left,
+                    starts_at: node.at,
+                };
+                let torso = node.world_from_clip * self.library.torsos(node.clip)[left as usize];
+                let entry = self.library.torsos(piece.clip)[piece.from.idx()];
+                let edge = self.library.graph().forest.edge(cut);
+                let per_tau = (1.0 / self.library.graph().tau) as f32;
+                node.cost += self.stretch_cost(&stretch)
+                    + self.target.weights.continuity * edge.cost * per_tau;
+                node.at = stretch.ends_at();
+                node.clip = piece.clip;
+                node.entered = piece.from.0;
+                node.world_from_clip = torso * entry.inverse();
+                node.before = Some((idx, cut));
+                node.must_show = piece.to.0 + 1;
+            }
+        }
+    }
+
+    fn stretch_cost(&self, stretch: &Stretch) -> f32 {
+        let (library, target) = (self.library, self.target);
+        let mut cost = stretch.readings_cost(library, target) + stretch.styles_cost(target);
+        if target.has_surroundings() {
+            cost += stretch.surroundings_cost(library, target, f32::INFINITY);
+        }
+        cost
+    }
+
+    fn usable(&self, to: ClipId, cut: EdgeId) -> bool {
+        self.allowed[to.idx()] && (self.bridges || !self.library.graph().forest.is_bridge(cut))
+    }
+
+    fn expand(&mut self, idx: u32, node: Node, rng: &mut Pcg64Mcg) {
+        self.try_ends(idx, &node);
+        self.go_straight(idx, &node, rng);
+        let library = self.library;
+        let out = library.out(node.clip);
+        let last_at = match self.anchors.get(node.next_anchor) {
+            Some(anchor) => anchor.first,
+            None => self.n_frames - 1,
+        };
+        let last = node.entered + last_at.saturating_sub(node.at);
+        let last = last.min(node.may_leave() + MAX_PIECE);
+        let first = out.partition_point(|(_, cut)| cut.from < node.may_leave());
+        let end = out.partition_point(|(_, cut)| cut.from <= last);
+        if first >= end {
+            return;
+        }
+        // Every so-manieth cut from a random one on, so that costs can be summed on the way.
+        let stride = ((end - first) as f32 / CUTS_PER_NODE as f32).max(1.0);
+        let mut at = first as f32 + rng.random_range(0.0..stride);
+        let mut shown_to = node.entered;
+        let mut cost = node.cost;
+        while (at as usize) < end {
+            let (to, cut) = out[at as usize];
+            at += stride;
+            if !self.usable(to, cut.id) {
+                continue;
+            }
+            let stretch = self.stretch_of(&node, shown_to, cut.from);
+            cost += self.stretch_cost(&stretch);
+            shown_to = cut.from;
+            self.enter(idx, &node, (to, cut), cost, rng);
+        }
+    }
+
+    fn stretch_of(&self, node: &Node, from: u32, to: u32) -> Stretch {
+        let starts_at = node.at + from - node.entered;
+        Stretch { clip: node.clip, world_from_clip: node.world_from_clip, from, to, starts_at }
+    }
+
+    fn enter(
+        &mut self,
+        idx: u32,
+        node: &Node,
+        (to, cut): (ClipId, Cut),
+        cost: f32,
+        rng: &mut Pcg64Mcg,
+    ) {
+        let torso = node.world_from_clip * self.library.torsos(node.clip)[cut.from as usize];
+        let world_from_clip = torso * self.library.torsos(to)[cut.to as usize].inverse();
+        let child = Node {
+            clip: to,
+            entered: cut.to,
+            at: node.at + cut.from - node.entered,
+            world_from_clip,
+            cost: cost + self.target.weights.continuity * cut.cost,
+            before: Some((idx, cut.id)),
+            next_anchor: node.next_anchor,
+            must_show: cut.to + 1,
+        };
+        self.offer(child, 0.0, rng);
+    }
+
+    /// The cheapest cuts that lead straight to the next anchor at its time: those with one shift.
+    fn go_straight(&mut self, idx: u32, node: &Node, rng: &mut Pcg64Mcg) {
+        let Some(anchor) = self.anchors.get(node.next_anchor) else { return };
+        let piece = anchor.piece();
+        let Some(pair) = self.library.pair(node.clip, piece.clip) else { return };
+        let shift = i64::from(anchor.first) - i64::from(node.at) + i64::from(node.entered)
+            - i64::from(piece.from.0);
+        let first = pair.leaves.partition_point(|cut| cut.shift() < shift);
+        let leaves = pair.leaves[first..].iter().take_while(|cut| cut.shift() == shift);
+        let fits = |cut: &&Cut| {
+            cut.from >= node.must_show && cut.to <= piece.from.0 && self.usable(piece.clip, cut.id)
+        };
+        let cuts: Vec<Cut> = leaves.filter(fits).take(DIRECT_PER_NODE).copied().collect();
+        for cut in cuts {
+            let cost =
+                node.cost + self.stretch_cost(&self.stretch_of(node, node.entered, cut.from));
+            self.enter(idx, node, (piece.clip, cut), cost, rng);
+        }
+    }
+
+    /// Playing on to the end, at the wished length and a little beside it.
+    fn try_ends(&mut self, idx: u32, node: &Node) {
+        if node.next_anchor < self.anchors.len() {
+            return;
+        }
+        let n_in_clip = i64::from(self.library.n_frames(node.clip));
+        for slack in END_SLACK {
+            let n_frames = i64::from(self.n_frames) + slack;
+            let end = i64::from(node.entered) + n_frames - 1 - i64::from(node.at);
+            if end + 1 < i64::from(node.must_show) || end >= n_in_clip {
+                continue;
+            }
+            let length = self.target.frames_cost(n_frames as u32);
+            if !length.is_finite() {
+                continue;
+            }
+            let stretch = self.stretch_of(node, node.entered, end as u32 + 1);
+            let mut score = node.cost + length + self.stretch_cost(&stretch);
+            if let Some(wish) = &self.target.last {
+                score += wish.cost(self.library, node.world_from_clip, node.clip, end as u32);
+            }
+            let at = self.finals.partition_point(|known| known.score <= score);
+            if at < N_FINALS {
+                self.finals.insert(at, Final { score, node: idx, end: end as u32 });
+                self.finals.truncate(N_FINALS);
+            }
+        }
+    }
+
+    /// The best whole path.
+    fn best(&self) -> Option<Route> {
+        let routes = self.finals.iter().filter_map(|last| {
+            let mut cuts = Vec::new();
+            let mut node = self.nodes[last.node as usize];
+            while let Some((before, cut)) = node.before {
+                cuts.push(cut);
+                node = self.nodes[before as usize];
+            }
+            cuts.reverse();
+            let (first_clip, start) = (node.clip, FrameIdx(node.entered));
+            let path = Path { first_clip, start, cuts, end: FrameIdx(last.end) };
+            Route::new(self.library, self.target, path)
+        });
+        routes.min_by(|a, b| a.score.total_cmp(&b.score))
+    }
+}

@@ -1,7 +1,8 @@
 #![allow(clippy::all, clippy::unwrap_used, clippy::print_stdout, clippy::print_stderr)]
 fn main() {
     let (file, _) =
-        motion_io::library_file::LibraryFile::load(std::path::Path::new("/tmp/cmu.gwlib")).unwrap();
+        motion_io::library_file::LibraryFile::load(std::path::Path::new("/tmp/cmu2.gwlib"))
+            .unwrap();
     for id in ["127_24", "02_05", "135_04"] {
         let c = file.clips.by_id(id).unwrap();
         println!(
@@ -93,4 +94,21 @@ fn main() {
     }
     few.sort();
     println!("{few:?}");
+
+    for id in ["135_07", "135_04"] {
+        let c = file.clips.by_id(id).unwrap();
+        let mut few = vec![];
+        for p in g.forest.pairs() {
+            if p.to == c && p.from != c {
+                let v: Vec<_> =
+                    g.leaf_edges(p.from, p.to).into_iter().chain(g.bridges(p.from, p.to)).collect();
+                few.push((
+                    v.len(),
+                    file.clips.clip(p.from).id.clone(),
+                    v.iter().map(|e| (e.from_frame.0, e.to_frame.0)).take(5).collect::<Vec<_>>(),
+                ));
+            }
+        }
+        println!("{id} <- {few:?}");
+    }
 }

@@ -124,21 +124,32 @@ impl Solid {
     /// at all.
     #[inline]
     pub(crate) fn is_near(&self, ground_m: Vec2, reach_m: f32, top_m: f32) -> bool {
-        let far = self.around_m + reach_m + BODY_MARGIN_M;
+        let far = reach_m + BODY_MARGIN_M;
+        let around = self.around_m + far;
         top_m + BODY_MARGIN_M > self.bottom_m
-            && self.middle_m.distance_squared(ground_m) < far * far
+            && self.middle_m.distance_squared(ground_m) < around * around
+            && self.sideways_m(self.own_ground_m(ground_m)) < far
+    }
+
+    fn own_ground_m(&self, ground_m: Vec2) -> Vec2 {
+        self.own_from_world.turn_ground(ground_m) + self.own_from_world.ground_m()
+    }
+
+    /// How far a point on the ground, in the solid's own axes, is outside of it; negative within.
+    #[inline]
+    fn sideways_m(&self, p: Vec2) -> f32 {
+        if self.is_round {
+            return p.length() - self.half_m.x;
+        }
+        let out = p.abs() - self.half_m;
+        out.max(Vec2::ZERO).length() + out.max_element().min(0.0)
     }
 
     /// How deep a point lies within the solid and the margin around it, metres; 0 outside.
     #[inline]
     pub(crate) fn depth_m(&self, world: Vec3) -> f32 {
         let p = self.own_from_world.apply(world);
-        let sideways = if self.is_round {
-            Vec2::new(p.x, p.z).length() - self.half_m.x
-        } else {
-            let out = Vec2::new(p.x.abs() - self.half_m.x, p.z.abs() - self.half_m.y);
-            out.max(Vec2::ZERO).length() + out.max_element().min(0.0)
-        };
+        let sideways = self.sideways_m(Vec2::new(p.x, p.z));
         let upright = (self.bottom_m - p.y).max(p.y - self.top_m);
         let outside = Vec2::new(sideways, upright);
         let distance = outside.max(Vec2::ZERO).length() + outside.max_element().min(0.0);

@@ -55,7 +55,7 @@ fn grow(library: &SearchLibrary, target: &Target, rng: &mut rand_pcg::Pcg64Mcg) 
     let all = vec![true; library.graph().n_clips()];
     let cuts = vec![Vec::new(); target.hard.len()];
     let anchors = Anchors::new(library, target, (&all, true), cuts);
-    seeds::grow(library, target, (&all, true), &anchors, Growth { width: 4 }, rng)
+    seeds::grow(library, target, (&all, true), &anchors, Growth { width: 4, n_cuts: 32 }, rng)
 }
 
 /// A path that has come some way downhill.

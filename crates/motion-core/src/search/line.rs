@@ -29,7 +29,7 @@ const GOOD_GAIN: f32 = 0.05;
 const DRAWS_PER_START: usize = 16;
 
 /// Paths kept by the beams of seeds, from the first line's on: narrow ones are soon there.
-const BEAM_WIDTHS: [usize; 4] = [4, 8, 16, 32];
+const BEAM_WIDTHS: [usize; 5] = [2, 4, 8, 16, 32];
 
 /// Frames beside the wished length that new starts and ends are tried with: none, since other
 /// ends are tried in the next step.
@@ -44,6 +44,9 @@ const ROUGH_SCORE: f32 = 3.0;
 /// Once so many alternatives are known, a line that has become slow above the last of them is
 /// given up instead of being followed to its minimum.
 const N_TO_BEAT: usize = 10;
+
+/// Cuts out of a piece that a beam looks at, at most.
+const MAX_CUTS: usize = 64;
 
 /// Pieces of a long motion that are changed together …
 const WINDOW_PIECES: usize = 8;
@@ -149,7 +152,8 @@ impl Line {
         if !near_elite {
             // Over lines and rounds every width has its turn.
             let nth = (self.number / 4 + pace.round) as usize;
-            let growth = Growth { width: BEAM_WIDTHS[nth % BEAM_WIDTHS.len()] };
+            let width = BEAM_WIDTHS[nth % BEAM_WIDTHS.len()];
+            let growth = Growth { width, n_cuts: MAX_CUTS >> rng.random_range(0..5) };
             return seeds::grow(library, target, scope, pace.anchors, growth, rng);
         }
         let mut best: Option<Route> = None;
@@ -177,7 +181,8 @@ fn first_seed(
 ) -> Option<Route> {
     let mut best: Option<Route> = None;
     for width in BEAM_WIDTHS {
-        let seed = seeds::grow(library, target, scope, anchors, Growth { width }, rng);
+        let growth = Growth { width, n_cuts: MAX_CUTS };
+        let seed = seeds::grow(library, target, scope, anchors, growth, rng);
         if let Some(seed) = seed {
             let wanted = seed.score <= target.most_when_acceptable(seed.cuts_cost);
             if best.as_ref().is_none_or(|best| seed.score < best.score) {

@@ -56,6 +56,22 @@ impl Stretch {
         sums.raised(self.world_from_clip.level_m)
     }
 
+    /// A lower bound of [`Self::surroundings_cost`]: the first joint alone, at few frames.
+    pub(crate) fn surroundings_at_least(&self, library: &SearchLibrary, target: &Target) -> f32 {
+        let mut cost = 0.0;
+        let step = 6 * OBSTACLE_STRIDE;
+        for frame in (self.starts_at.next_multiple_of(step)..self.ends_at()).step_by(step as usize)
+        {
+            let clip_frame = self.from + frame - self.starts_at;
+            let torso = self.world_from_clip * library.torsos(self.clip)[clip_frame as usize];
+            let Some(&root) = library.joints(self.clip, clip_frame).first() else { break };
+            let at = torso.apply(root);
+            let depth_m = target.solids.iter().map(|s| s.depth_m(at)).fold(0.0, f32::max);
+            cost += seen_cost(library, target, depth_m, 0.0);
+        }
+        cost
+    }
+
     /// Joints in obstacles and bodies in each other; at least `enough` where it is that much.
     pub(crate) fn surroundings_cost(
         &self,
@@ -97,6 +113,12 @@ pub(crate) fn surroundings_at(
     if depth_m == 0.0 && near_m == 0.0 {
         return 0.0;
     }
+    seen_cost(library, target, depth_m, near_m)
+}
+
+/// What a frame that is looked at costs.
+#[inline]
+fn seen_cost(library: &SearchLibrary, target: &Target, depth_m: f32, near_m: f32) -> f32 {
     let squares =
         (depth_m / OBSTACLE_TOLERANCE_M).powi(2) + (near_m / CLEARANCE_TOLERANCE_M).powi(2);
     let secs = library.clips().fps().frame_secs() as f32 * OBSTACLE_STRIDE as f32;

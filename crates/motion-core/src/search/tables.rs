@@ -154,8 +154,27 @@ impl Tables {
             to: tail.span.to,
             starts_at: entered_at,
         };
-        let mut cost = own.surroundings_cost(library, target, enough);
         let behind = self.spans.partition_point(|t| t.span.starts_at <= tail.span.starts_at);
+        if !target.solids.is_empty() {
+            // Most that collide do so with their middle: that is soon seen.
+            let mut least = own.surroundings_at_least(library, target);
+            for table in &self.spans[behind..] {
+                if least >= enough {
+                    return least;
+                }
+                let old = table.span.stretch();
+                let stretch = Stretch {
+                    world_from_clip: moved * old.world_from_clip,
+                    starts_at: (i64::from(old.starts_at) + late) as u32,
+                    ..old
+                };
+                least += stretch.surroundings_at_least(library, target);
+            }
+            if least >= enough {
+                return least;
+            }
+        }
+        let mut cost = own.surroundings_cost(library, target, enough);
         for table in &self.spans[behind..] {
             if cost >= enough {
                 break;

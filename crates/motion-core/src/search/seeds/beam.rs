@@ -32,9 +32,6 @@ const MAX_PIECE: u32 = 120;
 /// Paths compete with those that are cut within so many frames of them.
 const BUCKET_FRAMES: u32 = 6;
 
-/// Cuts out of a piece that are looked at.
-const CUTS_PER_NODE: usize = 64;
-
 /// Ways straight to an anchor that are looked at from one piece.
 const DIRECT_PER_NODE: usize = 3;
 
@@ -52,6 +49,8 @@ const END_SLACK: [i64; 5] = [0, -3, 3, -6, 6];
 pub(crate) struct Growth {
     /// Paths kept at each moment.
     pub(crate) width: usize,
+    /// Cuts out of a piece that are looked at: with few, a seed is rather a random walk.
+    pub(crate) n_cuts: usize,
 }
 
 /// A path so far: it has just entered a clip.
@@ -102,10 +101,13 @@ struct Beam<'a> {
     n_frames: u32,
     width: usize,
     look_ahead: u32,
+    /// Cuts out of a piece that are looked at.
+    n_cuts: usize,
     /// Factor of costs so far in ranks.
     past: f32,
     noise: f32,
     nodes: Vec<Node>,
+    next_bucket: usize,
     buckets: Vec<Vec<Candidate>>,
     finals: Vec<Final>,
 }
@@ -138,6 +140,13 @@ pub(crate) fn grow(
         }
     }
     through.sort_by_key(|anchor| anchor.first);
+    let mut earliest = 0;
+    for anchor in &mut through {
+        let n_frames: usize = anchor.pieces.iter().map(|piece| piece.n_frames()).sum();
+        let ends_at = anchor.first + n_frames as u32;
+        *anchor = anchor.entered_by_chance(library, scope, earliest, rng);
+        earliest = ends_at + 1;
+    }
     let fps = library.clips().fps().get() as f32;
     let n_buckets = (n_frames / BUCKET_FRAMES) as usize + 2;
     let mut beam = Beam {
@@ -151,14 +160,17 @@ pub(crate) fn grow(
         n_frames,
         width: growth.width,
         look_ahead: rng.random_range(15..45),
+        n_cuts: growth.n_cuts,
         past: rng.random_range(0.3f32..1.2),
         noise: rng.random_range(0.0f32..0.5),
         nodes: Vec::new(),
+        next_bucket: 0,
         buckets: (0..n_buckets).map(|_| Vec::new()).collect(),
         finals: Vec::new(),
     };
     beam.start(rng);
     for bucket in 0..n_buckets {
+        beam.next_bucket = bucket + 1;
         let mut candidates = std::mem::take(&mut beam.buckets[bucket]);
         candidates.sort_unstable_by(|a, b| a.rank.total_cmp(&b.rank));
         beam.expand_best(&candidates, rng);
@@ -166,11 +178,39 @@ pub(crate) fn grow(
     beam.best()
 }
 
+/// The least cost of cuts, in τ, from `frame` of `clip` at the motion's frame `at` to an anchor at its
+/// time; `None` where there is no way that is known.
+#[inline]
+fn cost_to(anchor: &Anchor, clip: ClipId, frame: u32, at: u32) -> Option<f32> {
+    let left = anchor.first.checked_sub(at)?;
+    let exact = anchor.countdown.as_ref().and_then(|table| table.cost(clip, frame, left));
+    match exact {
+        Some(cost) => cost.is_finite().then_some(cost),
+        None => {
+            let in_time = anchor.ways.least_frames(clip, frame) <= left;
+            in_time.then(|| anchor.ways.least_cost(clip, frame))
+        }
+    }
+}
+
+/// About `n` of `all` in their order, every so-manieth from a random one on.
+fn sample<'a, T: Copy>(
+    all: &'a [T],
+    n: usize,
+    rng: &mut Pcg64Mcg,
+) -> impl Iterator<Item = T> + use<'a, T> {
+    let stride = (all.len() as f32 / n as f32).max(1.0);
+    let first = rng.random_range(0.0..stride);
+    (0..).map_while(move |nth| all.get((first + nth as f32 * stride) as usize).copied())
+}
+
 fn onward(anchors: &[Anchor]) -> Vec<f32> {
     let mut onward = vec![0.0f32; anchors.len()];
     for nth in (1..anchors.len()).rev() {
         let last = anchors[nth - 1].pieces[anchors[nth - 1].pieces.len() - 1];
-        let step = anchors[nth].ways.least_cost(last.clip, last.to.0);
+        let shown: usize = anchors[nth - 1].pieces.iter().map(|piece| piece.n_frames()).sum();
+        let at = anchors[nth - 1].first + shown as u32 - 1;
+        let step = cost_to(&anchors[nth], last.clip, last.to.0, at).unwrap_or(0.0);
         // Guides of joints may lie where no way leads; the beam finds that out.
         onward[nth - 1] = onward[nth] + if step.is_finite() { step } else { 0.0 };
     }
@@ -179,24 +219,28 @@ fn onward(anchors: &[Anchor]) -> Vec<f32> {
 
 impl Beam<'_> {
     /// Expands the best of a moment, no more than a few in one clip.
+    ///
+    /// Those that have come through more anchors have a place of their own: what is still ahead of
+    /// the others is only known to cost at least so much, so they look better than they are.
     fn expand_best(&mut self, candidates: &[Candidate], rng: &mut Pcg64Mcg) {
         let per_clip = self.width.div_ceil(4).max(2);
-        let mut n_in_clip: Vec<(ClipId, usize)> = Vec::new();
-        let mut n_kept = 0;
+        let mut n_kept = vec![0; self.anchors.len() + 1];
+        let mut n_in_clip: Vec<((usize, ClipId), usize)> = Vec::new();
         for candidate in candidates {
             let node = candidate.node;
-            match n_in_clip.iter_mut().find(|(clip, _)| *clip == node.clip) {
+            if n_kept[node.next_anchor] == self.width {
+                continue;
+            }
+            let key = (node.next_anchor, node.clip);
+            match n_in_clip.iter_mut().find(|(known, _)| *known == key) {
                 Some((_, n)) if *n >= per_clip => continue,
                 Some((_, n)) => *n += 1,
-                None => n_in_clip.push((node.clip, 1)),
+                None => n_in_clip.push((key, 1)),
             }
+            n_kept[node.next_anchor] += 1;
             let idx = self.nodes.len() as u32;
             self.nodes.push(node);
             self.expand(idx, node, rng);
-            n_kept += 1;
-            if n_kept == self.width {
-                break;
-            }
         }
     }
 
@@ -226,13 +270,15 @@ impl Beam<'_> {
                 offer(self, piece.clip, start, rng);
             }
         }
-        let n_wanted = 4 * self.width + 16;
-        let mut n_tried = 0;
-        while n_tried < n_wanted {
-            n_tried += 1;
+        let (mut n_left, mut n_tries) = (4 * self.width + 16, 40 * (4 * self.width + 16));
+        while n_left > 0 && n_tries > 0 {
+            n_tries -= 1;
             let clip = ClipId::from_idx(rng.random_range(0..n_clips));
             let start = rng.random_range(0..self.library.n_frames(clip));
-            if self.allowed[clip.idx()] {
+            let leads_on =
+                self.anchors.first().is_none_or(|a| cost_to(a, clip, start, 0).is_some());
+            if self.allowed[clip.idx()] && leads_on {
+                n_left -= 1;
                 offer(self, clip, start, rng);
             }
         }
@@ -245,11 +291,7 @@ impl Beam<'_> {
         self.pass_anchor(&mut node);
         let mut ahead_cost = extra;
         if let Some(anchor) = self.anchors.get(node.next_anchor) {
-            let least = anchor.ways.least_frames(node.clip, node.entered);
-            if least > anchor.first.saturating_sub(node.at) {
-                return;
-            }
-            let cuts = anchor.ways.least_cost(node.clip, node.entered);
+            let Some(cuts) = cost_to(anchor, node.clip, node.entered, node.at) else { return };
             ahead_cost += self.target.weights.continuity * (cuts + self.onward[node.next_anchor]);
         }
         // A clip that ends before the motion does must have a way out.
@@ -277,7 +319,8 @@ impl Beam<'_> {
         }
         let rank = error + self.past * (node.cost + ahead_cost);
         let rank = rank * (1.0 + self.noise * rng.random_range(-1.0f32..1.0));
-        let bucket = (node.at / BUCKET_FRAMES) as usize;
+        // What is cut within the moment under way competes in the next.
+        let bucket = ((node.at / BUCKET_FRAMES) as usize).max(self.next_bucket);
         if let Some(bucket) = self.buckets.get_mut(bucket) {
             bucket.push(Candidate { rank, node });
         }
@@ -352,17 +395,23 @@ impl Beam<'_> {
         if first >= end {
             return;
         }
-        // Every so-manieth cut from a random one on, so that costs can be summed on the way.
-        let stride = ((end - first) as f32 / CUTS_PER_NODE as f32).max(1.0);
-        let mut at = first as f32 + rng.random_range(0.0..stride);
+        // With an anchor ahead only cuts count from which it is reached in time.
+        let pending = self.anchors.get(node.next_anchor);
+        let leads_on = |&(to, cut): &(ClipId, Cut)| {
+            let at = node.at + cut.from - node.entered;
+            self.usable(to, cut.id)
+                && pending.is_none_or(|anchor| cost_to(anchor, to, cut.to, at).is_some())
+        };
+        let all = &out[first..end];
+        let cuts: Vec<(ClipId, Cut)> = if pending.is_some() {
+            let fits: Vec<_> = all.iter().filter(|cut| leads_on(cut)).copied().collect();
+            sample(&fits, self.n_cuts, rng).collect()
+        } else {
+            sample(all, self.n_cuts, rng).filter(leads_on).collect()
+        };
         let mut shown_to = node.entered;
         let mut cost = node.cost;
-        while (at as usize) < end {
-            let (to, cut) = out[at as usize];
-            at += stride;
-            if !self.usable(to, cut.id) {
-                continue;
-            }
+        for (to, cut) in cuts {
             let stretch = self.stretch_of(&node, shown_to, cut.from);
             cost += self.stretch_cost(&stretch);
             shown_to = cut.from;

@@ -3,6 +3,7 @@
 
 mod anchors;
 mod beam;
+mod countdown;
 mod perturb;
 mod schedule;
 mod wayfinder;

@@ -4,8 +4,10 @@
 use super::super::library::SearchLibrary;
 use crate::ids::ClipId;
 
-/// Cuts on the way that are looked for at most.
-const MAX_HOPS: usize = 12;
+/// Cuts on the way that are looked for at most, when only the likely ways are …
+const LIKELY_HOPS: usize = 6;
+/// … and when all are.
+const MAX_HOPS: usize = 24;
 
 /// For every frame of every clip, what it takes to get to one frame of one clip.
 #[derive(Clone, Debug)]
@@ -51,7 +53,7 @@ impl Wayfinder {
         let forest = &library.graph().forest;
         let mut fresh = vec![false; n_clips];
         fresh[clip.idx()] = true;
-        for hop in 0..MAX_HOPS {
+        for hop in 0..if every_cut { MAX_HOPS } else { LIKELY_HOPS } {
             let mut changed = vec![false; n_clips];
             for to in (0..n_clips).filter(|&to| fresh[to]).map(ClipId::from_idx) {
                 for (from, pair) in library.pairs_into(to) {

@@ -148,10 +148,26 @@ impl Solid {
     /// How deep a point lies within the solid and the margin around it, metres; 0 outside.
     #[inline]
     pub(crate) fn depth_m(&self, world: Vec3) -> f32 {
-        let p = self.own_from_world.apply(world);
-        let sideways = self.sideways_m(Vec2::new(p.x, p.z));
+        self.own_depth_m(self.own_from_world.apply(world))
+    }
+
+    /// How deep the deepest of the joints lies, which stand in the torso frame at `world_from_torso`.
+    #[inline]
+    pub(crate) fn deepest_m(&self, world_from_torso: PlanarTransform, joints_m: &[Vec3]) -> f32 {
+        let own_from_torso = self.own_from_world * world_from_torso;
+        joints_m.iter().map(|&p| self.own_depth_m(own_from_torso.apply(p))).fold(0.0, f32::max)
+    }
+
+    /// The depth of a point in the solid's own axes.
+    #[inline]
+    fn own_depth_m(&self, p: Vec3) -> f32 {
         let upright = (self.bottom_m - p.y).max(p.y - self.top_m);
-        let outside = Vec2::new(sideways, upright);
+        let beside = (p.x.abs() - self.half_m.x).max(p.z.abs() - self.half_m.y);
+        // Most points are far out along one axis.
+        if upright.max(beside) >= BODY_MARGIN_M {
+            return 0.0;
+        }
+        let outside = Vec2::new(self.sideways_m(Vec2::new(p.x, p.z)), upright);
         let distance = outside.max(Vec2::ZERO).length() + outside.max_element().min(0.0);
         (BODY_MARGIN_M - distance).max(0.0)
     }

@@ -2,30 +2,40 @@
 
 use std::sync::Arc;
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
 use super::Search;
 use super::best::Best;
 use super::evaluate::Evaluator;
+use super::hard::HardWish;
 use super::library::SearchLibrary;
 use super::mutation::Mutation;
-use super::problem::Problem;
+use super::problem::{Problem, ProblemError};
 use super::rng::stream;
 use super::route::Route;
 use super::seeds::{self, Anchors, Growth};
 use super::tables::Tables;
 use super::target::Target;
 use crate::cancel::CancelToken;
-use crate::constraint::{BodyConstraint, LengthMode, LengthWish, Tolerance};
+use crate::clip::ClipSet;
+use crate::constraint::{
+    BodyConstraint, FollowConstraint, JointConstraint, LengthMode, LengthWish, LockConstraint,
+    Obstacle, OtherBody, PoseConstraint, StyleConstraint, Tolerance,
+};
+use crate::ids::{ClipId, JointIdx};
+use crate::path::Piece;
 use crate::score::{Wishes, judge};
 use crate::testing::wander;
+use crate::units::{Fps, FrameIdx};
 
 /// One of the scans of an evaluator.
 type Scan = fn(&mut Evaluator<'_>);
 
 fn library(climbs: bool, seed: u64) -> Arc<SearchLibrary> {
-    let clips = wander::clips(6, 90, climbs, seed);
+    let mut clips = wander::clips(6, 90, climbs, seed).clips().to_vec();
+    clips.iter_mut().step_by(2).for_each(|clip| clip.tags.push("even".into()));
+    let clips = ClipSet::new(wander::skeleton(), Fps::THIRTY, clips).expect("a valid set");
     let graph = wander::graph(&clips);
     assert!(graph.forest.n_nodes() > 200, "the fixture must have edges");
     Arc::new(SearchLibrary::new(Arc::new(clips), Arc::new(graph)))
@@ -50,6 +60,42 @@ fn wishes(first: u32, mode: LengthMode) -> Wishes {
     }
 }
 
+/// The same with wishes of every soft kind.
+fn of_every_kind(first: u32) -> Wishes {
+    let mut joint = JointConstraint::new(90, JointIdx(2), Vec3::new(0.8, 0.2, 2.9));
+    joint.velocity_m_s = Some(Vec3::new(0.5, 0.0, 1.0));
+    let mut wishes = wishes(first, LengthMode::Preferred);
+    wishes.body.insert(2, checkpoint(110, 1.2, 3.4, 0.5));
+    wishes.body[1].tolerance = Tolerance { position_m: 0.1, heading_rad: 0.5, frames: 5.0 };
+    wishes.body[2].tolerance.heading_rad = f32::INFINITY;
+    wishes.joints = vec![joint];
+    wishes.styles = vec![StyleConstraint { from: 30, to: 100, tag: "EVEN".into(), weight: 0.5 }];
+    wishes.follows = vec![FollowConstraint {
+        from: 40,
+        to: 145,
+        points_m: vec![Vec2::new(0.1, 1.5), Vec2::new(0.5, 2.5), Vec2::new(2.0, 4.4)],
+        looks_along: true,
+        weight: 2.0,
+        tolerance_m: 0.3,
+        tolerance_rad: 0.3,
+    }];
+    wishes.obstacles = vec![
+        Obstacle::Box {
+            center_m: Vec3::new(0.5, 0.5, 1.5),
+            size_m: Vec3::new(0.6, 1.0, 0.4),
+            heading_rad: 0.4,
+        },
+        Obstacle::Ceiling {
+            center_m: Vec3::new(1.0, 0.95, 3.5),
+            size_m: Vec2::new(1.0, 1.0),
+            heading_rad: 0.0,
+        },
+    ];
+    let ground_m = (0..200).map(|f| Vec2::new(2.0 - 0.01 * f as f32, 0.02 * f as f32)).collect();
+    wishes.others = vec![OtherBody { ground_m, together: vec![(60, 70)] }];
+    wishes
+}
+
 /// A seed, with every clip allowed.
 fn grow(library: &SearchLibrary, target: &Target, rng: &mut rand_pcg::Pcg64Mcg) -> Option<Route> {
     let all = vec![true; library.graph().n_clips()];
@@ -67,9 +113,13 @@ fn some_route(library: &SearchLibrary, target: &Target, seed: u64) -> Route {
 
 #[test]
 fn a_route_scores_what_a_walk_over_its_frames_finds() {
-    for (climbs, first, seed) in [(false, 0, 1), (true, 0, 2), (true, 12, 3), (false, 5, 4)] {
+    let cases =
+        [(false, 0, 1, false), (true, 0, 2, false), (true, 12, 3, true), (false, 0, 4, true)];
+    for (climbs, first, seed, every) in cases {
         let library = library(climbs, seed);
-        let wishes = wishes(first, LengthMode::Preferred);
+        let preferred = wishes(first, LengthMode::Preferred);
+        let wishes = if every { of_every_kind(first) } else { preferred };
+        let mut n_routes = 0;
         let target = Target::new(&library, &wishes);
         for item in 0..20 {
             let rng = &mut stream(seed, 9, item);
@@ -82,16 +132,25 @@ fn a_route_scores_what_a_walk_over_its_frames_finds() {
                 "{fast} is not {slow}: {:?}",
                 judged.terms
             );
+            n_routes += 1;
         }
+        assert!(n_routes > 10, "most seeds grow");
     }
 }
 
 /// Every candidate that any scan keeps with no limit must score what its path scores.
 #[test]
 fn candidates_score_what_their_paths_score() {
-    for (climbs, seed) in [(false, 1), (true, 2), (true, 3)] {
+    let cases =
+        [(false, 1, 0), (true, 2, 0), (true, 3, 0), (false, 4, 1), (true, 5, 1), (true, 6, 2)];
+    for (climbs, seed, kind) in cases {
         let library = library(climbs, seed);
-        let target = Target::new(&library, &wishes(0, LengthMode::Preferred));
+        let wishes = match kind {
+            0 => wishes(0, LengthMode::Preferred),
+            1 => of_every_kind(0),
+            _ => of_every_kind(9),
+        };
+        let target = Target::new(&library, &wishes);
         let route = some_route(&library, &target, seed);
         let tables = Tables::new(&library, &target, &route);
         let all = vec![true; 6];
@@ -290,4 +349,71 @@ proptest! {
             prop_assert!((judged.terms.total() - found.score).abs() <= 2e-3 * found.score + 2e-3);
         }
     }
+}
+
+/// A pose and a lock of two pieces: whatever the search does, they are shown at their frames.
+fn hard_wishes(library: &SearchLibrary) -> Wishes {
+    let mut wishes = wishes(0, LengthMode::Preferred);
+    wishes.poses = vec![PoseConstraint::new(60, ClipId(1), FrameIdx(50))];
+    // Any cut of the library will do for the lock's.
+    let cut = library.out(ClipId(2)).iter().map(|(to, cut)| (*to, *cut));
+    let (to, cut) = cut
+        .filter(|(to, cut)| cut.from >= 30 && cut.to + 50 < library.n_frames(*to))
+        .min_by(|a, b| a.1.cost.total_cmp(&b.1.cost))
+        .expect("a way out");
+    let piece = |clip, from, to| Piece { clip, from: FrameIdx(from), to: FrameIdx(to) };
+    let pieces = vec![piece(ClipId(2), cut.from - 6, cut.from - 1), piece(to, cut.to, cut.to + 5)];
+    wishes.locks = vec![LockConstraint { from: 110, to: 121, pieces }];
+    wishes
+}
+
+#[test]
+fn what_is_hard_is_shown_at_its_time() {
+    for seed in [1, 2, 4] {
+        let library = library(false, seed);
+        let wishes = hard_wishes(&library);
+        let problem =
+            Problem { wishes: wishes.clone(), allowed_clips: vec![true; 6], bridges: true };
+        let mut search = Search::new(Arc::clone(&library), problem, seed).expect("possible");
+        for _ in 0..12 {
+            search.step(&CancelToken::new());
+        }
+        let found = search.alternatives();
+        assert!(!found.is_empty(), "seed {seed}: something is found for {:?}", wishes.locks);
+        for found in found {
+            let judged = search.judge(&found.path).expect("long enough");
+            assert!(judged.poses[0].0 && judged.locks[0], "{:?}", found.path);
+            let (fast, slow) = (found.score, judged.terms.total());
+            assert!((fast - slow).abs() <= 2e-3 * slow + 2e-3, "{fast} is not {slow}");
+        }
+    }
+}
+
+#[test]
+fn hard_wishes_that_cannot_be_are_refused() {
+    let library = library(false, 2);
+    let search = |wishes: Wishes| {
+        let problem = Problem { wishes, allowed_clips: vec![true; 6], bridges: true };
+        Search::new(Arc::clone(&library), problem, 1).map(|_| ())
+    };
+    let pose =
+        |frame, clip, clip_frame| PoseConstraint::new(frame, ClipId(clip), FrameIdx(clip_frame));
+    let with = |poses| Wishes { poses, ..wishes(0, LengthMode::Preferred) };
+    assert_eq!(
+        search(with(vec![pose(40, 0, 10), pose(40, 1, 10)])),
+        Err(ProblemError::HardConflict(HardWish::Pose(0), HardWish::Pose(1)))
+    );
+    assert_eq!(
+        search(with(vec![pose(40, 0, 900)])),
+        Err(ProblemError::HardNotThere(HardWish::Pose(0)))
+    );
+    // Cuts over a few frames of one clip are no cuts, and other clips may not be used.
+    let wishes = with(vec![pose(40, 0, 10), pose(41, 0, 13)]);
+    let allowed_clips = (0..6).map(|clip| clip == 0).collect();
+    let problem = Problem { wishes, allowed_clips, bridges: true };
+    let too_far = Search::new(Arc::clone(&library), problem, 1).map(|_| ());
+    let (from, to) = (HardWish::Pose(0), HardWish::Pose(1));
+    let expected = ProblemError::HardTooFar { from, to, needed: Some(2), available: 1 };
+    assert_eq!(too_far, Err(expected));
+    assert_eq!(search(with(vec![pose(40, 0, 10), pose(41, 0, 11)])), Ok(()));
 }

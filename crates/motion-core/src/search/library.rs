@@ -239,6 +239,11 @@ impl SearchLibrary {
         pairs.map(|&(from, pair)| (from, self.view(&self.pairs[pair as usize])))
     }
 
+    /// How many leaf edges there are.
+    pub(crate) fn n_leaves(&self) -> usize {
+        self.leaves.len()
+    }
+
     /// The pair `from → to`.
     #[inline]
     pub(crate) fn pair(&self, from: ClipId, to: ClipId) -> Option<PairView<'_>> {

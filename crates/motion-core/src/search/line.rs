@@ -210,18 +210,32 @@ pub(super) fn descend(
     rng: &mut Pcg64Mcg,
     counts: &mut ScoreCounts,
 ) -> Option<Route> {
-    let mut current: Option<Route> = None;
     let mut windows = windows(route.spans.len());
-    windows.shuffle(rng);
-    for window in windows {
-        let here = current.as_ref().unwrap_or(route);
-        // Windows are of the route as it was; it may have fewer pieces now.
-        let n_spans = here.spans.len();
-        let window = window.start.min(n_spans)..window.end.min(n_spans);
-        let better = best_change(library, target, scope, (here, window), to_beat, rng, counts);
-        current = better.or(current);
+    if windows.len() == 1 {
+        let whole = (route, 0..route.spans.len());
+        return best_change(library, target, scope, whole, (to_beat, true), rng, counts);
     }
-    current
+    windows.shuffle(rng);
+    // Every window by what is soon seen; only when that gains nothing, each by everything.
+    for thorough in [false, true] {
+        let mut current: Option<Route> = None;
+        for window in &windows {
+            let here = current.as_ref().unwrap_or(route);
+            // Windows are of the route as it was; it may have fewer pieces now.
+            let n_spans = here.spans.len();
+            let window = (here, window.start.min(n_spans)..window.end.min(n_spans));
+            let pace = (to_beat, thorough);
+            let better = best_change(library, target, scope, window, pace, rng, counts);
+            current = better.or(current);
+            if thorough && current.is_some() {
+                break;
+            }
+        }
+        if current.is_some() {
+            return current;
+        }
+    }
+    None
 }
 
 /// The pieces that are changed together: all of them, or overlapping stretches of a long motion.
@@ -240,7 +254,7 @@ fn best_change(
     target: &Target,
     scope: (&[bool], bool),
     (route, window): (&Route, Range<usize>),
-    to_beat: f32,
+    (to_beat, thorough): (f32, bool),
     rng: &mut Pcg64Mcg,
     counts: &mut ScoreCounts,
 ) -> Option<Route> {
@@ -272,11 +286,15 @@ fn best_change(
         evaluator.new_ends(SLACK);
     }
     if brings_little(&evaluator) {
-        let one_in = if route.score > ROUGH_SCORE { 2 * DETOUR_SAMPLE } else { DETOUR_SAMPLE };
+        let mut one_in = if route.score > ROUGH_SCORE { 2 * DETOUR_SAMPLE } else { DETOUR_SAMPLE };
+        if target.has_surroundings() || !thorough {
+            // Each that is not dropped is walked along.
+            one_in *= 2;
+        }
         evaluator.detours(|| rng.random_range(0..one_in) == 0);
     }
     let hopeless = route.score > to_beat;
-    if evaluator.best.least().is_none() && !hopeless {
+    if evaluator.best.least().is_none() && !hopeless && thorough {
         evaluator.detours(|| true);
     }
     counts.add(evaluator.counts);

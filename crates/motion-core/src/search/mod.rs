@@ -64,6 +64,9 @@ const N_LINES: u64 = 16;
 /// Alternatives that are kept while searching; callers show fewer.
 const MAX_ALTERNATIVES: usize = 24;
 
+/// With fewer local minima than this, lines under way are alternatives too.
+const FEW_ALTERNATIVES: usize = 12;
+
 /// A motion that the search has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
@@ -119,9 +122,23 @@ impl Search {
         problem: Problem,
         seed: u64,
     ) -> Result<Self, ProblemError> {
+        Self::sharing(library, problem, seed, None)
+    }
+
+    /// [`Self::new`], with what seeds come through taken from a search that asks for the same there.
+    fn sharing(
+        library: Arc<SearchLibrary>,
+        problem: Problem,
+        seed: u64,
+        known: Option<&Self>,
+    ) -> Result<Self, ProblemError> {
         problem.check()?;
         let target = Target::new(&library, &problem.wishes);
-        let anchors = anchors_of(&library, &target, &problem)?;
+        let known = known.filter(|known| known.problem.asks_for_the_same_frames(&problem));
+        let anchors = match known {
+            Some(known) => known.anchors.clone(),
+            None => anchors_of(&library, &target, &problem)?,
+        };
         let lines = (0..N_LINES).map(Line::new).collect();
         let progress = Progress { best: f32::INFINITY, ..Progress::default() };
         let alternatives = Alternatives::new(MAX_ALTERNATIVES);
@@ -202,7 +219,8 @@ impl Search {
         Some(Solution { path, score, iteration: *iteration, improves: None })
     }
 
-    /// Distinct local minima, best first. While there is none, the best motion so far.
+    /// Distinct local minima, best first; while there are few, good motions that lines are still
+    /// working on as well, and the best so far in any case.
     pub fn alternatives(&self) -> Vec<Solution> {
         let kept = self.alternatives.kept();
         let solution = |kept: &alternatives::Kept| Solution {
@@ -220,6 +238,9 @@ impl Search {
             with_best.offer(&self.library, route, *round, None);
             found = with_best.kept().iter().map(solution).collect();
         }
+        if kept.len() < FEW_ALTERNATIVES {
+            found = self.with_lines().kept().iter().map(solution).collect();
+        }
         found
     }
 
@@ -236,6 +257,22 @@ impl Search {
     /// What is asked.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// The alternatives and good motions under way: a long motion is good long before it is at its
+    /// minimum.
+    fn with_lines(&self) -> Alternatives {
+        let mut all = self.alternatives.clone();
+        let round = self.progress.iteration;
+        for route in self.lines.iter().filter_map(Line::route) {
+            if route.score <= self.target.most_when_acceptable(route.cuts_cost) {
+                all.offer(&self.library, route, round, None);
+            }
+        }
+        if let Some((route, round)) = &self.best {
+            all.offer(&self.library, route, *round, None);
+        }
+        all
     }
 
     fn any_line_is_acceptable(&self) -> bool {

@@ -103,6 +103,16 @@ impl Problem {
         Ok(())
     }
 
+    /// Whether poses, locks and joints, and the clips and cuts that lead to them, are the same.
+    pub(crate) fn asks_for_the_same_frames(&self, other: &Self) -> bool {
+        let (a, b) = (&self.wishes, &other.wishes);
+        a.poses == b.poses
+            && a.locks == b.locks
+            && a.joints == b.joints
+            && self.allowed_clips == other.allowed_clips
+            && self.bridges == other.bridges
+    }
+
     fn makes_sense(&self) -> bool {
         let w = &self.wishes;
         let is_weight = |weight: f32| weight.is_finite() && weight >= 0.0;

@@ -31,14 +31,14 @@ pub(super) fn anchors_of(
     for (nth, pair) in target.hard.windows(2).enumerate() {
         let last = pair[0].pieces[pair[0].pieces.len() - 1];
         let available = pair[1].first - pair[0].last;
-        let quick = anchors.hard[nth + 1].ways.least_frames(last.clip, last.to.0);
-        if quick <= available {
+        let after = |ways: &Wayfinder| ways.least_frames(last.clip, last.to.0);
+        if after(&anchors.hard[nth + 1].ways) <= available {
             continue;
         }
         // The seeds' ways are by chosen cuts; what is refused is refused over all.
         let first = pair[1].pieces[0];
         let all = Wayfinder::by_every_cut(library, scope, (first.clip, first.from.0));
-        let least = all.least_frames(last.clip, last.to.0);
+        let least = after(&all);
         if least > available {
             return Err(ProblemError::HardTooFar {
                 from: pair[0].wish,

@@ -11,7 +11,10 @@ use super::line::{Line, descend};
 use super::rng::stream;
 use super::route::Route;
 use super::target::Target;
-use super::{MAX_ALTERNATIVES, N_LINES, Problem, ProblemError, Search, SearchLibrary, Solution};
+use super::{
+    FEW_ALTERNATIVES, MAX_ALTERNATIVES, N_LINES, Problem, ProblemError, Search, SearchLibrary,
+    Solution,
+};
 use crate::cancel::CancelToken;
 use crate::constraint::LengthMode;
 use crate::path::Path;
@@ -44,7 +47,7 @@ impl Search {
     /// The same search with something else asked: everything that it knows, and `more` that was
     /// known before, is scored anew, and it goes on from there.
     pub fn rescored(&self, problem: Problem, more: &[Path]) -> Result<Self, ProblemError> {
-        let mut search = Self::new(Arc::clone(&self.library), problem, self.seed)?;
+        let mut search = Self::sharing(Arc::clone(&self.library), problem, self.seed, Some(self))?;
         // Rounds count on, so that the random streams are not those of before.
         search.progress.iteration = self.progress.iteration;
         search.progress.counts = self.progress.counts;
@@ -72,6 +75,9 @@ impl Search {
 
     /// Every line begins anew in the next round, some of them from new seeds. Alternatives stay.
     pub fn shake(&mut self) {
+        if self.alternatives.kept().len() < FEW_ALTERNATIVES {
+            self.alternatives = self.with_lines();
+        }
         self.lines.iter_mut().for_each(Line::forget);
         self.waiting.clear();
     }

@@ -140,9 +140,8 @@ pub(crate) fn depth_m(
         if !solid.is_near(world_from_torso.ground_m(), extent.reach_m, top_m) {
             continue;
         }
-        for &joint in library.joints(clip, clip_frame) {
-            deepest_m = deepest_m.max(solid.depth_m(world_from_torso.apply(joint)));
-        }
+        let joints = library.joints(clip, clip_frame);
+        deepest_m = deepest_m.max(solid.deepest_m(world_from_torso, joints));
     }
     deepest_m
 }

@@ -101,17 +101,6 @@ impl Tables {
         sums.get(first)
     }
 
-    /// The sums of the last checkpoint alone.
-    #[inline]
-    pub(crate) fn last_moments(
-        &self,
-        library: &SearchLibrary,
-        target: &Target,
-        route: &Route,
-    ) -> Option<&Moments> {
-        self.moments(library, target, route, (target.readings.len(), 0))
-    }
-
     /// What frames without a wished tag cost from the entry into a piece on.
     #[inline]
     pub(crate) fn tail_styles_cost(

@@ -1,7 +1,5 @@
 //! What is asked, in the shape that scoring wants.
 
-use glam::Vec2;
-
 use super::hard::{HardStretch, hard_stretches};
 use super::library::SearchLibrary;
 use super::reading::Reading;
@@ -229,11 +227,6 @@ impl Target {
         !self.solids.is_empty() || !self.others.is_empty()
     }
 
-    /// The ground position that is wished last.
-    pub(crate) fn last_ground_m(&self) -> Option<Vec2> {
-        self.last_torso.map(PlanarTransform::ground_m)
-    }
-
     /// The parts of [`Self::frames_cost`] as squares; exact lengths and checkpoints that are not
     /// reached are not in them, so they are a lower bound.
     pub(crate) fn frames_quadratic(&self) -> FramesQuadratic {
@@ -265,7 +258,8 @@ impl Target {
         if f64::from(budget) < least {
             return (1, 0);
         }
-        (((centre - reach).floor() as i64).max(0), (centre + reach).ceil() as i64)
+        let most = i64::from(u32::MAX);
+        (((centre - reach).floor() as i64).max(0), ((centre + reach).ceil() as i64).min(most))
     }
 
     /// What a number of frames costs by itself: the length wish, and the last checkpoint being

@@ -11,6 +11,9 @@ use crate::ids::ClipId;
 /// Frames of all clips times frames of time that are looked at, at most.
 const MAX_ENTRIES: usize = 16 << 20;
 
+/// With no more cuts than this times frames of time, every leaf is looked at, else the chosen ones.
+const MAX_STEPS: usize = 20_000_000;
+
 /// The least cost of cuts by frame and time left.
 #[derive(Debug)]
 pub(crate) struct Countdown {
@@ -40,14 +43,17 @@ impl Countdown {
         if n_layers < (longest as usize + 1).min(30) {
             return None;
         }
-        let forest = &library.graph().forest;
         let mut cuts: Vec<(u32, u32, f32)> = Vec::new();
-        for from in clips().filter(|from| allowed[from.idx()]) {
-            for &(to, cut) in library.out(from) {
-                let usable = allowed[to.idx()] && (bridges || !forest.is_bridge(cut.id));
-                if usable && cut.from > 0 && to != clip {
-                    let from = starts[from.idx()] + cut.from as usize - 1;
-                    cuts.push((from as u32, (starts[to.idx()] + cut.to as usize) as u32, cut.cost));
+        let every_leaf = library.n_leaves() * n_layers <= MAX_STEPS;
+        for to in clips().filter(|to| allowed[to.idx()] && *to != clip) {
+            for (from, pair) in library.pairs_into(to) {
+                for cut in if every_leaf { pair.leaves } else { pair.chosen } {
+                    let usable = allowed[from.idx()] && (bridges || cut.id.0 < pair.first_bridge);
+                    if usable && cut.from > 0 {
+                        let from = starts[from.idx()] + cut.from as usize - 1;
+                        let to = starts[to.idx()] + cut.to as usize;
+                        cuts.push((from as u32, to as u32, cut.cost));
+                    }
                 }
             }
         }

@@ -10,8 +10,11 @@ const LIKELY_HOPS: usize = 6;
 const MAX_HOPS: usize = 24;
 
 /// For every frame of every clip, what it takes to get to one frame of one clip.
+///
+/// Entries speak of the moment before a frame is shown: it may be shown, or another be cut to.
 #[derive(Clone, Debug)]
 pub(crate) struct Wayfinder {
+    to: (ClipId, u32),
     /// The least number of frames; `u32::MAX` where there is no way.
     frames: Vec<Vec<u32>>,
     /// The least cost of cuts, in τ; infinite where there is no way.
@@ -63,13 +66,22 @@ impl Wayfinder {
                     // The last hop may be by any cut; those before by chosen ones.
                     let cuts = if hop == 0 || every_cut { pair.leaves } else { pair.chosen };
                     for cut in cuts.iter().filter(|cut| bridges || !forest.is_bridge(cut.id)) {
-                        let then = frames[to.idx()][cut.to as usize];
+                        // What is entered is shown for a frame at least.
+                        let then = match frames[to.idx()].get(cut.to as usize + 1) {
+                            _ if (to, cut.to) == (clip, frame) => 0,
+                            Some(after) => after.saturating_add(1),
+                            None => u32::MAX,
+                        };
                         let there = &mut frames[from.idx()][cut.from as usize];
                         if then < *there {
                             *there = then;
                             changed[from.idx()] = true;
                         }
-                        let total = cut.cost + cost[to.idx()][cut.to as usize];
+                        let total = match cost[to.idx()].get(cut.to as usize + 1) {
+                            _ if (to, cut.to) == (clip, frame) => cut.cost,
+                            Some(after) => cut.cost + after,
+                            None => f32::INFINITY,
+                        };
                         let there = &mut cost[from.idx()][cut.from as usize];
                         if total < *there {
                             *there = total;
@@ -91,18 +103,26 @@ impl Wayfinder {
                 break;
             }
         }
-        Self { frames, cost }
+        Self { to: (clip, frame), frames, cost }
     }
 
-    /// The least number of frames from `frame` of `clip`; `u32::MAX` where there is no way.
+    /// The least number of frames from when `frame` of `clip` is shown; `u32::MAX` where there is no
+    /// way.
     #[inline]
     pub(crate) fn least_frames(&self, clip: ClipId, frame: u32) -> u32 {
-        self.frames[clip.idx()][frame as usize]
+        if self.to == (clip, frame) {
+            return 0;
+        }
+        let after = self.frames[clip.idx()].get(frame as usize + 1);
+        after.map_or(u32::MAX, |frames| frames.saturating_add(1))
     }
 
     /// The least cost of the cuts on a way from there, in τ.
     #[inline]
     pub(crate) fn least_cost(&self, clip: ClipId, frame: u32) -> f32 {
-        self.cost[clip.idx()][frame as usize]
+        if self.to == (clip, frame) {
+            return 0.0;
+        }
+        self.cost[clip.idx()].get(frame as usize + 1).copied().unwrap_or(f32::INFINITY)
     }
 }

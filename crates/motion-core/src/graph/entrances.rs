@@ -49,7 +49,7 @@ pub fn find_entrances(
                 (other != clip).then(|| 0..end.saturating_sub(1))
             };
             let valleys = valleys(features, clip, n - WITHIN..n, clip_frames, others, stride);
-            found.extend(cuts(valleys, |own, other| bridge(own, other)));
+            found.extend(cuts(valleys, bridge));
         }
         found
     };

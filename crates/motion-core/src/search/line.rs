@@ -241,7 +241,7 @@ pub(super) fn descend(
 /// The pieces that are changed together: all of them, or overlapping stretches of a long motion.
 fn windows(n_spans: usize) -> Vec<Range<usize>> {
     if n_spans <= WINDOW_PIECES + WINDOW_STEP {
-        return vec![0..n_spans];
+        return std::iter::once(0..n_spans).collect();
     }
     let starts = (0..n_spans - WINDOW_PIECES).step_by(WINDOW_STEP);
     let mut windows: Vec<_> = starts.map(|start| start..start + WINDOW_PIECES).collect();

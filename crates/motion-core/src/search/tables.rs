@@ -57,7 +57,7 @@ impl Tables {
             let head_cost = head_costs(library, target, span, &before, uses_support, frame_secs);
             let after_span =
                 i64::from(route.n_frames) - i64::from(span.starts_at + span.n_frames());
-            before.add(library, target, span, head_cost.last_shown);
+            before.add(library, span, head_cost.last_shown);
             spans.push(SpanTable {
                 span: *span,
                 torso,
@@ -212,7 +212,7 @@ struct Before {
 }
 
 impl Before {
-    fn add(&mut self, library: &SearchLibrary, _: &Target, span: &Span, cost: f32) {
+    fn add(&mut self, library: &SearchLibrary, span: &Span, cost: f32) {
         self.cost = cost;
         self.support = self.support.plus(&span.stretch().support(library));
     }

@@ -6,6 +6,10 @@
 //! of these counts, which cuts are looked at and a little noise are drawn anew for every seed, so that
 //! seeds differ.
 
+mod ends;
+mod expand;
+mod node;
+
 use glam::Vec2;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
@@ -14,35 +18,21 @@ use super::anchors::{Anchor, Anchors};
 use super::schedule::Schedule;
 use crate::graph::EdgeId;
 use crate::ids::ClipId;
-use crate::path::Path;
-use crate::planar::PlanarTransform;
-use crate::units::FrameIdx;
-
-use super::super::library::{Cut, SearchLibrary};
-use super::super::route::Route;
-use super::super::stretch::Stretch;
-use super::super::target::Target;
-
-/// Pieces of a seed show at least this many frames: shorter ones are left to the mutations.
-const MIN_PIECE: u32 = 8;
-
-/// Pieces of a seed show at most this many frames unless they go on to the end or to an anchor.
-const MAX_PIECE: u32 = 120;
+use crate::search::library::SearchLibrary;
+use crate::search::route::Route;
+use crate::search::stretch::Stretch;
+use crate::search::target::Target;
+use ends::Final;
+use node::Node;
 
 /// Paths compete with those that are cut within so many frames of them.
 const BUCKET_FRAMES: u32 = 6;
 
-/// Ways straight to an anchor that are looked at from one piece.
-const DIRECT_PER_NODE: usize = 3;
-
 /// Lengths tried where nothing says how long the motion should be.
 const FREE_FRAMES: std::ops::Range<u32> = 60..300;
 
-/// Whole paths that are laid out; the best is taken.
-const N_FINALS: usize = 4;
-
-/// Frames beside the wished length at which a path may end.
-const END_SLACK: [i64; 5] = [0, -3, 3, -6, 6];
+/// Frames that a joint's guide keeps from what is hard.
+const GUIDE_APART: u32 = 8;
 
 /// How a seed is grown: all of it is drawn by the caller.
 #[derive(Clone, Copy, Debug)]
@@ -53,40 +43,10 @@ pub(crate) struct Growth {
     pub(crate) n_cuts: usize,
 }
 
-/// A path so far: it has just entered a clip.
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    clip: ClipId,
-    entered: u32,
-    /// The motion's frame that shows `entered`.
-    at: u32,
-    world_from_clip: PlanarTransform,
-    /// Everything that frames before `at` cost, cuts included.
-    cost: f32,
-    /// The node before and the cut that led here.
-    before: Option<(u32, EdgeId)>,
-    /// The next anchor that is not certain yet.
-    next_anchor: usize,
-    /// Frames of the clip before this one must be shown.
-    must_show: u32,
-}
-
-impl Node {
-    /// The first frame of the clip at which a seed cuts away.
-    fn may_leave(&self) -> u32 {
-        self.must_show.max(self.entered + MIN_PIECE)
-    }
-}
-
+/// A node that waits for its moment.
 struct Candidate {
     rank: f32,
     node: Node,
-}
-
-struct Final {
-    score: f32,
-    node: u32,
-    end: u32,
 }
 
 struct Beam<'a> {
@@ -132,7 +92,7 @@ pub(crate) fn grow(
         let free = |other: &Anchor| {
             let last: usize = other.pieces.iter().map(|piece| piece.n_frames()).sum();
             let (first, last) = (other.first, other.first + last as u32);
-            !(first.saturating_sub(MIN_PIECE)..=last + MIN_PIECE).contains(&anchor.first)
+            !(first.saturating_sub(GUIDE_APART)..=last + GUIDE_APART).contains(&anchor.first)
         };
         if rng.random_range(0..8) > 0 && through.iter().all(free) {
             places.extend(anchor.ground_m.map(|ground_m| (anchor.first, ground_m)));
@@ -191,17 +151,6 @@ fn cost_to(anchor: &Anchor, clip: ClipId, frame: u32, at: u32) -> Option<f32> {
             in_time.then(|| anchor.ways.least_cost(clip, frame))
         }
     }
-}
-
-/// About `n` of `all` in their order, every so-manieth from a random one on.
-fn sample<'a, T: Copy>(
-    all: &'a [T],
-    n: usize,
-    rng: &mut Pcg64Mcg,
-) -> impl Iterator<Item = T> + use<'a, T> {
-    let stride = (all.len() as f32 / n as f32).max(1.0);
-    let first = rng.random_range(0.0..stride);
-    (0..).map_while(move |nth| all.get((first + nth as f32 * stride) as usize).copied())
 }
 
 fn onward(anchors: &[Anchor]) -> Vec<f32> {
@@ -377,139 +326,5 @@ impl Beam<'_> {
 
     fn usable(&self, to: ClipId, cut: EdgeId) -> bool {
         self.allowed[to.idx()] && (self.bridges || !self.library.graph().forest.is_bridge(cut))
-    }
-
-    fn expand(&mut self, idx: u32, node: Node, rng: &mut Pcg64Mcg) {
-        self.try_ends(idx, &node);
-        self.go_straight(idx, &node, rng);
-        let library = self.library;
-        let out = library.out(node.clip);
-        let last_at = match self.anchors.get(node.next_anchor) {
-            Some(anchor) => anchor.first,
-            None => self.n_frames - 1,
-        };
-        let last = node.entered + last_at.saturating_sub(node.at);
-        let last = last.min(node.may_leave() + MAX_PIECE);
-        let first = out.partition_point(|(_, cut)| cut.from < node.may_leave());
-        let end = out.partition_point(|(_, cut)| cut.from <= last);
-        if first >= end {
-            return;
-        }
-        // With an anchor ahead only cuts count from which it is reached in time.
-        let pending = self.anchors.get(node.next_anchor);
-        let leads_on = |&(to, cut): &(ClipId, Cut)| {
-            let at = node.at + cut.from - node.entered;
-            self.usable(to, cut.id)
-                && pending.is_none_or(|anchor| cost_to(anchor, to, cut.to, at).is_some())
-        };
-        let all = &out[first..end];
-        let cuts: Vec<(ClipId, Cut)> = if pending.is_some() {
-            let fits: Vec<_> = all.iter().filter(|cut| leads_on(cut)).copied().collect();
-            sample(&fits, self.n_cuts, rng).collect()
-        } else {
-            sample(all, self.n_cuts, rng).filter(leads_on).collect()
-        };
-        let mut shown_to = node.entered;
-        let mut cost = node.cost;
-        for (to, cut) in cuts {
-            let stretch = self.stretch_of(&node, shown_to, cut.from);
-            cost += self.stretch_cost(&stretch);
-            shown_to = cut.from;
-            self.enter(idx, &node, (to, cut), cost, rng);
-        }
-    }
-
-    fn stretch_of(&self, node: &Node, from: u32, to: u32) -> Stretch {
-        let starts_at = node.at + from - node.entered;
-        Stretch { clip: node.clip, world_from_clip: node.world_from_clip, from, to, starts_at }
-    }
-
-    fn enter(
-        &mut self,
-        idx: u32,
-        node: &Node,
-        (to, cut): (ClipId, Cut),
-        cost: f32,
-        rng: &mut Pcg64Mcg,
-    ) {
-        let torso = node.world_from_clip * self.library.torsos(node.clip)[cut.from as usize];
-        let world_from_clip = torso * self.library.torsos(to)[cut.to as usize].inverse();
-        let child = Node {
-            clip: to,
-            entered: cut.to,
-            at: node.at + cut.from - node.entered,
-            world_from_clip,
-            cost: cost + self.target.weights.continuity * cut.cost,
-            before: Some((idx, cut.id)),
-            next_anchor: node.next_anchor,
-            must_show: cut.to + 1,
-        };
-        self.offer(child, 0.0, rng);
-    }
-
-    /// The cheapest cuts that lead straight to the next anchor at its time: those with one shift.
-    fn go_straight(&mut self, idx: u32, node: &Node, rng: &mut Pcg64Mcg) {
-        let Some(anchor) = self.anchors.get(node.next_anchor) else { return };
-        let piece = anchor.piece();
-        let Some(pair) = self.library.pair(node.clip, piece.clip) else { return };
-        let shift = i64::from(anchor.first) - i64::from(node.at) + i64::from(node.entered)
-            - i64::from(piece.from.0);
-        let first = pair.leaves.partition_point(|cut| cut.shift() < shift);
-        let leaves = pair.leaves[first..].iter().take_while(|cut| cut.shift() == shift);
-        let fits = |cut: &&Cut| {
-            cut.from >= node.must_show && cut.to <= piece.from.0 && self.usable(piece.clip, cut.id)
-        };
-        let cuts: Vec<Cut> = leaves.filter(fits).take(DIRECT_PER_NODE).copied().collect();
-        for cut in cuts {
-            let cost =
-                node.cost + self.stretch_cost(&self.stretch_of(node, node.entered, cut.from));
-            self.enter(idx, node, (piece.clip, cut), cost, rng);
-        }
-    }
-
-    /// Playing on to the end, at the wished length and a little beside it.
-    fn try_ends(&mut self, idx: u32, node: &Node) {
-        if node.next_anchor < self.anchors.len() {
-            return;
-        }
-        let n_in_clip = i64::from(self.library.n_frames(node.clip));
-        for slack in END_SLACK {
-            let n_frames = i64::from(self.n_frames) + slack;
-            let end = i64::from(node.entered) + n_frames - 1 - i64::from(node.at);
-            if end + 1 < i64::from(node.must_show) || end >= n_in_clip {
-                continue;
-            }
-            let length = self.target.frames_cost(n_frames as u32);
-            if !length.is_finite() {
-                continue;
-            }
-            let stretch = self.stretch_of(node, node.entered, end as u32 + 1);
-            let mut score = node.cost + length + self.stretch_cost(&stretch);
-            if let Some(wish) = &self.target.last {
-                score += wish.cost(self.library, node.world_from_clip, node.clip, end as u32);
-            }
-            let at = self.finals.partition_point(|known| known.score <= score);
-            if at < N_FINALS {
-                self.finals.insert(at, Final { score, node: idx, end: end as u32 });
-                self.finals.truncate(N_FINALS);
-            }
-        }
-    }
-
-    /// The best whole path.
-    fn best(&self) -> Option<Route> {
-        let routes = self.finals.iter().filter_map(|last| {
-            let mut cuts = Vec::new();
-            let mut node = self.nodes[last.node as usize];
-            while let Some((before, cut)) = node.before {
-                cuts.push(cut);
-                node = self.nodes[before as usize];
-            }
-            cuts.reverse();
-            let (first_clip, start) = (node.clip, FrameIdx(node.entered));
-            let path = Path { first_clip, start, cuts, end: FrameIdx(last.end) };
-            Route::new(self.library, self.target, path)
-        });
-        routes.min_by(|a, b| a.score.total_cmp(&b.score))
     }
 }

@@ -27,14 +27,18 @@ use super::tables::Tables;
 use super::target::Target;
 use crate::cancel::CancelToken;
 
-/// Paths that the search begins with, n in the paper, which does not say how many.
-const N_PATHS: usize = 16;
+/// Paths that the search begins with, n in the paper, which does not say how many. Few, so that the
+/// first local minima come soon.
+const N_PATHS: usize = 4;
 
 /// New seeds of every round beside those that take the places of recorded minima.
-const N_NEW_SEEDS: usize = 2;
+const N_NEW_SEEDS: usize = 1;
 
 /// With so many paths no more seeds join.
-const MAX_PATHS: usize = 32;
+const MAX_PATHS: usize = 8;
+
+/// Seeds drawn for each that joins, the best: they cost next to nothing beside mutations.
+const N_DRAWN: usize = 16;
 
 /// Mutations that are laid out: the best few.
 const N_BEST: usize = 4;
@@ -70,10 +74,10 @@ impl Af02 {
     pub(super) fn step(&mut self, ground: Ground<'_>, cancel: &CancelToken) -> Option<Round> {
         let n_seeds = N_PATHS.saturating_sub(self.paths.len()).max(N_NEW_SEEDS);
         let n_seeds = n_seeds.min(MAX_PATHS.saturating_sub(self.paths.len()));
-        let seeds: Vec<Option<Route>> = (0..n_seeds)
+        let mut seeds: Vec<Route> = (0..n_seeds * N_DRAWN)
             .into_par_iter()
             .with_max_len(1)
-            .map(|nth| {
+            .filter_map(|nth| {
                 let mut rng = stream(ground.seed, ground.round, nth as u64);
                 (0..N_TRIES).find_map(|_| {
                     if cancel.is_cancelled() {
@@ -83,7 +87,9 @@ impl Af02 {
                 })
             })
             .collect();
-        let all: Vec<&Route> = self.paths.iter().chain(seeds.iter().flatten()).collect();
+        seeds.sort_by(|a, b| a.score.total_cmp(&b.score));
+        seeds.truncate(n_seeds);
+        let all: Vec<&Route> = self.paths.iter().chain(&seeds).collect();
         let outcomes: Vec<Option<(Outcome, ScoreCounts)>> = all
             .par_iter()
             .with_max_len(1)

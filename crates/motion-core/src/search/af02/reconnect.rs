@@ -46,6 +46,16 @@ impl Evaluator<'_> {
                         if back.from <= out.to || back.to >= tail.span.to {
                             continue;
                         }
+                        // The cheap terms first.
+                        let frames = i64::from(at_out.frames) + back.shift() - i64::from(out.to)
+                            + tail.frames_from_zero;
+                        let cost = so_far
+                            + continuity * (back.cost + tail.cuts_after)
+                            + self.target.frames_cost(frames.max(0) as u32);
+                        if cost >= self.best.limit() {
+                            self.counts.pruned += 1;
+                            continue;
+                        }
                         let (from, to) = (out.to, back.from);
                         let starts_at = at_out.frames;
                         let stretch =

@@ -3,6 +3,7 @@
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
+use crate::ids::ClipId;
 use crate::path::Path;
 use crate::search::rivals::{Approach, Approaches, CoarseGraph, Ground};
 use crate::search::route::Route;
@@ -42,7 +43,8 @@ pub(super) fn grow(
         let left = next.map_or(n_frames - 1, |hard| hard.first).checked_sub(frame)?;
         let out = graph.out(clip, free_from..entered + left + 1);
         let leads = |&nth: &usize| {
-            next.is_none_or(|hard| hard.leads(nth, left - (graph.cut(nth).1.from - entered)))
+            let (to, cut) = graph.cut(nth);
+            next.is_none_or(|hard| hard.leads((to, cut.to), left - (cut.from - entered)))
         };
         let options: Vec<usize> = out.filter(leads).collect();
         let may_stay = match next {
@@ -81,23 +83,17 @@ fn first_cut(
     graph: &CoarseGraph,
     next: Option<&Approach>,
     rng: &mut Pcg64Mcg,
-) -> Option<(crate::ids::ClipId, u32)> {
+) -> Option<(ClipId, u32)> {
     const N_DRAWS: usize = 200;
-    let any = |rng: &mut Pcg64Mcg| rng.random_range(0..graph.n_cuts());
-    let nth = match next {
-        None => any(rng),
-        Some(hard) => {
-            let lucky = (0..N_DRAWS).map(|_| any(rng)).find(|&nth| hard.leads(nth, hard.first));
-            match lucky {
-                Some(nth) => nth,
-                None => {
-                    let all: Vec<usize> =
-                        (0..graph.n_cuts()).filter(|&nth| hard.leads(nth, hard.first)).collect();
-                    *all.get(rng.random_range(0..all.len().max(1)))?
-                }
-            }
-        }
+    let mut draw = || {
+        let (clip, cut) = graph.cut(rng.random_range(0..graph.n_cuts()));
+        (clip, cut.to)
     };
-    let (clip, cut) = graph.cut(nth);
-    Some((clip, cut.to))
+    let Some(hard) = next else { return Some(draw()) };
+    let lucky = (0..N_DRAWS).map(|_| draw()).find(|&at| hard.leads(at, hard.first));
+    lucky.or_else(|| {
+        let all = (0..graph.n_cuts()).map(|nth| graph.cut(nth)).map(|(clip, cut)| (clip, cut.to));
+        let all: Vec<_> = all.filter(|&at| hard.leads(at, hard.first)).collect();
+        all.get(rng.random_range(0..all.len().max(1))).copied()
+    })
 }

@@ -12,7 +12,7 @@ use crate::search::target::Target;
 const STRIDE: usize = 15;
 
 /// A cut a second is expected, of a cost that this share of the cuts do not exceed.
-const CHEAP_SHARE: f32 = 0.1;
+const USUAL_SHARE: f32 = 0.5;
 
 /// How far off a body may be that has a second to make up for it, metres and radians.
 const SLACK_M_S: f32 = 0.6;
@@ -50,7 +50,7 @@ impl Expectation {
         }
         let mut costs: Vec<f32> = (0..graph.n_cuts()).map(|nth| graph.cut(nth).1.cost).collect();
         costs.sort_unstable_by(f32::total_cmp);
-        let cheap = costs.get((costs.len() as f32 * CHEAP_SHARE) as usize).copied();
+        let usual = costs.get((costs.len() as f32 * USUAL_SHARE) as usize).copied();
         let point = |frame, t: PlanarTransform| (frame, t.ground_m(), t.heading_rad());
         let mut points = vec![point(target.anchor_frame, target.anchor)];
         points.extend(target.waypoints.iter().map(|&(frame, torso)| point(frame, torso)));
@@ -59,7 +59,7 @@ impl Expectation {
             last: target.last_torso.map(|torso| (torso.ground_m(), torso.heading_rad())),
             top_speed_m_s,
             top_turn_rad_s,
-            cuts_cost_per_s: target.weights.continuity * cheap.unwrap_or_default(),
+            cuts_cost_per_s: target.weights.continuity * usual.unwrap_or_default(),
             fps,
         }
     }
@@ -72,8 +72,9 @@ impl Expectation {
 
     /// What is expected from `frame` on of a motion of `n_frames` whose torso is at `torso` then.
     ///
-    /// Three parts: cuts in proportion to time; what cannot be made up for at top speed, which is
-    /// never too much; and how far it is from an even pace, which is no bound but leads.
+    /// Three parts: cuts in proportion to time, so that what is nearly done comes first; what cannot be
+    /// made up for at top speed, which is never too much; and how far it is from an even pace, which is
+    /// no bound but leads.
     #[inline]
     pub(super) fn of(&self, frame: u32, torso: PlanarTransform, n_frames: u32) -> f32 {
         let cuts = self.cuts_cost_per_s * n_frames.saturating_sub(frame) as f32 / self.fps;

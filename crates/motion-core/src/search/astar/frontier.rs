@@ -25,8 +25,8 @@ const MIN_PIECE: u32 = 6;
 /// could be entered stand alike.
 const LOOK_AHEAD: u32 = 20;
 
-/// A search is given up after so many states.
-const MAX_EXPANDED: usize = 20_000;
+/// After so many states a search is over: the best end that was seen is what it has found.
+const MAX_EXPANDED: usize = 2_000;
 
 /// Lengths drawn where nothing says how long the motion should be.
 const FREE_FRAMES: std::ops::Range<u32> = 60..300;
@@ -92,9 +92,9 @@ impl PartialOrd for Rank {
 pub(super) enum Outcome {
     /// There is more to look into.
     Open,
-    /// A motion whose states were the most promising throughout.
+    /// The best motion that was seen.
     Found(Path),
-    /// There is none, or it takes too long.
+    /// None was seen.
     Failed,
 }
 
@@ -107,17 +107,14 @@ pub(super) struct Frontier {
     open: BinaryHeap<Rank>,
     /// The least cost at which each rounded state was reached.
     reached: HashMap<[i32; 6], f32>,
+    /// The end that costs least, and its cost.
+    best_end: Option<(f32, u32)>,
     n_expanded: usize,
     n_scored: u64,
 }
 
 impl Frontier {
-    pub(super) fn new(
-        ways: &Ways,
-        ground: Ground<'_>,
-        weight: f32,
-        rng: &mut Pcg64Mcg,
-    ) -> Self {
+    pub(super) fn new(ways: &Ways, ground: Ground<'_>, weight: f32, rng: &mut Pcg64Mcg) -> Self {
         let Ground { library, target, .. } = ground;
         let n_frames = target.frames.unwrap_or_else(|| rng.random_range(FREE_FRAMES));
         let n_frames = n_frames.max(target.needed() + 1).max(1);
@@ -127,6 +124,7 @@ impl Frontier {
             nodes: Vec::new(),
             open: BinaryHeap::new(),
             reached: HashMap::new(),
+            best_end: None,
             n_expanded: 0,
             n_scored: 0,
         };
@@ -135,15 +133,14 @@ impl Frontier {
             return new;
         }
         for _ in 0..N_STARTS {
-            let (clip, cut) = {
-                let mut draw = || rng.random_range(0..ways.graph.n_cuts());
-                let nth = match next {
-                    None => Some(draw()),
-                    Some(hard) => (0..64).map(|_| draw()).find(|&n| hard.leads(n, hard.first)),
-                };
-                let Some(nth) = nth else { continue };
-                ways.graph.cut(nth)
+            let mut draw = || ways.graph.cut(rng.random_range(0..ways.graph.n_cuts()));
+            let start = match next {
+                None => Some(draw()),
+                Some(hard) => (0..64)
+                    .map(|_| draw())
+                    .find(|&(clip, cut)| hard.leads((clip, cut.to), hard.first)),
             };
+            let Some((clip, cut)) = start else { continue };
             let world_from_clip = target.anchor * library.torsos(clip)[cut.to as usize].inverse();
             new.push(
                 ways,
@@ -172,14 +169,16 @@ impl Frontier {
     /// Looks into up to `n` states.
     pub(super) fn expand(&mut self, ways: &Ways, ground: Ground<'_>, n: usize) -> Outcome {
         for _ in 0..n {
-            let Some(Rank { node, .. }) = self.open.pop() else { return Outcome::Failed };
+            let rank = self.open.pop();
+            let next = rank.filter(|rank| {
+                let is_end = matches!(self.nodes[rank.node as usize].step, Step::End(_));
+                !is_end && self.n_expanded < MAX_EXPANDED
+            });
+            let Some(Rank { node, .. }) = next else {
+                let end = self.best_end.map(|(_, end)| self.path(ways, end));
+                return end.map_or(Outcome::Failed, Outcome::Found);
+            };
             let at = self.nodes[node as usize];
-            if let Step::End(_) = at.step {
-                return Outcome::Found(self.path(ways, node));
-            }
-            if self.n_expanded >= MAX_EXPANDED {
-                return Outcome::Failed;
-            }
             self.n_expanded += 1;
             self.follow(ways, ground, node, &at);
         }
@@ -203,7 +202,7 @@ impl Frontier {
         for nth in ways.graph.out(at.clip, at.free_from..at.entered + left + 1) {
             let (to, cut) = ways.graph.cut(nth);
             let frame = at.frame + cut.from - at.entered;
-            if next.is_some_and(|hard| !hard.leads(nth, hard.first - frame)) {
+            if next.is_some_and(|hard| !hard.leads((to, cut.to), hard.first - frame)) {
                 continue;
             }
             let torso = at.world_from_clip * torsos[cut.from as usize];
@@ -277,6 +276,9 @@ impl Frontier {
             let node = self.nodes.len() as u32;
             self.nodes.push(Node { cost, parent, step: Step::End(end), ..*at });
             self.open.push(Rank { total: cost, node });
+            if self.best_end.is_none_or(|(least, _)| cost < least) {
+                self.best_end = Some((cost, node));
+            }
         }
     }
 

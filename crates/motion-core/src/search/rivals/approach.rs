@@ -4,14 +4,13 @@
 //! the coarse level, a graph search can also be performed between the constraint nodes”. It goes
 //! backwards in time once, so that growing a seed is a walk among cuts that are known to lead there.
 
+use super::coarse::CoarseGraph;
+use crate::graph::EdgeId;
 use crate::ids::ClipId;
 use crate::path::Piece;
 use crate::search::hard::HardStretch;
-use crate::search::library::SearchLibrary;
+use crate::search::library::{Cut, SearchLibrary};
 use crate::search::target::Target;
-
-use super::coarse::CoarseGraph;
-use crate::graph::EdgeId;
 
 /// The last so many frames before something hard are searched; before them a walk is free.
 const HORIZON: u32 = 240;
@@ -30,8 +29,9 @@ pub(crate) struct Approach {
     pub(crate) inner: Vec<EdgeId>,
     /// The last piece.
     pub(crate) ends_with: Piece,
-    n_cuts: usize,
-    /// Entry `t · n_cuts + c`: whether it can be shown exactly `t` frames after cut `c` was taken.
+    /// Where each clip's frames begin, counted through all clips.
+    clip_starts: Vec<u32>,
+    /// Entry `t · frames + f`: whether it can be shown exactly `t` frames after frame `f` was entered.
     leads: Vec<bool>,
 }
 
@@ -46,12 +46,14 @@ impl Approach {
         let Piece { clip, from, .. } = *hard.pieces.first()?;
         let inner = hard.pieces.windows(2).map(|pair| {
             let leaves = library.pair(pair[0].clip, pair[1].clip)?.leaves;
-            let joins = |cut: &&crate::search::library::Cut| {
-                cut.from == pair[0].to.0 + 1 && cut.to == pair[1].from.0
-            };
+            let joins = |cut: &&Cut| cut.from == pair[0].to.0 + 1 && cut.to == pair[1].from.0;
             leaves.iter().find(joins).map(|cut| cut.id)
         });
-        let n_cuts = graph.n_cuts();
+        let n_clips = library.graph().n_clips();
+        let mut clip_starts = vec![0u32];
+        for clip in (0..n_clips).map(ClipId::from_idx) {
+            clip_starts.push(clip_starts[clip.idx()] + library.n_frames(clip));
+        }
         let mut new = Self {
             first: hard.first,
             last: hard.last,
@@ -59,23 +61,49 @@ impl Approach {
             clip_frame: from.0,
             inner: inner.collect::<Option<_>>()?,
             ends_with: *hard.pieces.last()?,
-            n_cuts,
+            clip_starts,
             leads: Vec::new(),
         };
-        for left in 0..=n_frames_before.min(HORIZON) {
-            let mut row = vec![false; n_cuts];
-            for (nth, leads) in row.iter_mut().enumerate() {
-                let (entered, cut) = graph.cut(nth);
-                // By another cut soon, or by staying.
-                *leads = new.stays(entered, cut.to, left)
-                    || graph.out(entered, cut.to + 1..cut.to + left + 1).any(|next| {
-                        let later = left - (graph.cut(next).1.from - cut.to);
-                        new.leads[later as usize * n_cuts + next]
-                    });
-            }
-            new.leads.extend(row);
-        }
+        new.search(library, graph, n_frames_before.min(HORIZON));
         Some(new)
+    }
+
+    /// Backwards in time: from a frame just entered the next one follows; before one that a piece has
+    /// come to, there may be a cut.
+    fn search(&mut self, library: &SearchLibrary, graph: &CoarseGraph, horizon: u32) {
+        let clips = || (0..library.graph().n_clips()).map(ClipId::from_idx);
+        let n_frames = self.n_frames();
+        // Whether it can be shown by a piece that goes on to this frame, `left` later; a frame behind
+        // a clip's last leads nowhere.
+        let mut goes_on_before = vec![false; n_frames];
+        for left in 0..=horizon {
+            let mut enters = vec![false; n_frames];
+            for clip in clips() {
+                let start = self.clip_starts[clip.idx()] as usize;
+                for frame in 0..library.n_frames(clip) {
+                    let at = start + frame as usize;
+                    let is_last = frame + 1 == library.n_frames(clip);
+                    let next = !is_last && goes_on_before[at + 1];
+                    enters[at] = self.stays(clip, frame, left) || (left > 0 && next);
+                }
+            }
+            let mut goes_on = enters.clone();
+            for clip in clips() {
+                let start = self.clip_starts[clip.idx()] as usize;
+                for nth in graph.out(clip, 0..u32::MAX) {
+                    let (to, cut) = graph.cut(nth);
+                    if enters[self.clip_starts[to.idx()] as usize + cut.to as usize] {
+                        goes_on[start + cut.from as usize] = true;
+                    }
+                }
+            }
+            self.leads.extend(&enters);
+            goes_on_before = goes_on;
+        }
+    }
+
+    fn n_frames(&self) -> usize {
+        self.clip_starts[self.clip_starts.len() - 1] as usize
     }
 
     /// Whether staying in `clip` from `entered` on shows it after `left` frames.
@@ -84,10 +112,11 @@ impl Approach {
         clip == self.clip && entered + left == self.clip_frame
     }
 
-    /// Whether a cut, taken `left` frames before it, may lead to it.
+    /// Whether entering a clip at a frame, `left` frames before it, may lead to it.
     #[inline]
-    pub(crate) fn leads(&self, cut: usize, left: u32) -> bool {
-        left > HORIZON || self.leads.get(left as usize * self.n_cuts + cut).is_some_and(|&l| l)
+    pub(crate) fn leads(&self, (clip, frame): (ClipId, u32), left: u32) -> bool {
+        let at = self.clip_starts[clip.idx()] as usize + frame as usize;
+        left > HORIZON || self.leads.get(left as usize * self.n_frames() + at) == Some(&true)
     }
 }
 

@@ -115,3 +115,6 @@ impl Search {
         true
     }
 }
+
+#[cfg(test)]
+mod tests;

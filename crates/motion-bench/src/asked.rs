@@ -139,9 +139,11 @@ fn add(wishes: &mut Wishes, constraint: &Constraint, clips: &ClipSet) -> anyhow:
         }
         ConstraintKind::Path { from, to, points_m } => {
             let points_m = points_m.iter().copied().map(ground).collect();
-            wishes
-                .follows
-                .push(FollowConstraint { weight, ..FollowConstraint::new(*from, *to, points_m) });
+            wishes.follows.push(FollowConstraint {
+                weight,
+                looks_along: false,
+                ..FollowConstraint::new(*from, *to, points_m)
+            });
         }
         ConstraintKind::Lock { from, to, pieces } => {
             let pieces = pieces.iter().map(|piece| {

@@ -68,15 +68,18 @@ fn run(args: &Args) -> anyhow::Result<()> {
     let effort = Effort::of(args.quick, args.full);
     let mut bench = Bench::new(source, effort);
     println!("{}\nclips: {}; {effort}\n", machine::describe(), bench.source);
+    // What is promised is promised for the motion capture.
+    let is_promised = matches!(bench.source, Source::Cmu(_));
     let mut rows = Vec::new();
     for figure in FIGURES {
         if args.only.is_empty() || args.only.iter().any(|name| name == figure.name) {
             eprintln!("measuring {} …", figure.name);
-            rows.extend((figure.measure)(&mut bench)?);
+            let measured = (figure.measure)(&mut bench)?;
+            // At once too: the others may take hours.
+            eprint!("{}", table::render(&measured, is_promised));
+            rows.extend(measured);
         }
     }
-    // What is promised is promised for the motion capture.
-    let is_promised = matches!(bench.source, Source::Cmu(_));
     print!("{}", table::render(&rows, is_promised));
     Ok(())
 }

@@ -57,13 +57,15 @@ pub(crate) fn measure(bench: &mut Bench) -> anyhow::Result<Vec<Row>> {
         }
         let text = scores.iter().map(|scores| scores.map(|score| format!("{score:.2}")).join(" "));
         let faster = duels.each_ref().map(|duels| duels.last().map_or(0.0, |duel| duel.faster));
-        notes.push(format!(
+        let line = format!(
             "{:<3} {}; {:.1}×, {:.1}×",
             asked.name,
             text.collect::<Vec<_>>().join(" | "),
             faster[0],
             faster[1]
-        ));
+        );
+        eprintln!("{line}");
+        notes.push(line);
     }
     let row = |nth: usize, notes| {
         let rival = SearchKind::ALL[nth + 1].name();

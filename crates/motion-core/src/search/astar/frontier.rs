@@ -129,18 +129,16 @@ impl Frontier {
             n_scored: 0,
         };
         let Ok(next) = ways.approaches.next(0) else { return new };
-        if ways.graph.n_cuts() == 0 {
+        let leads = |&nth: &usize| {
+            let (clip, cut) = ways.graph.cut(nth);
+            next.is_none_or(|hard| hard.leads((clip, cut.to), hard.first))
+        };
+        let starts: Vec<usize> = (0..ways.graph.n_cuts()).filter(leads).collect();
+        if starts.is_empty() {
             return new;
         }
         for _ in 0..N_STARTS {
-            let mut draw = || ways.graph.cut(rng.random_range(0..ways.graph.n_cuts()));
-            let start = match next {
-                None => Some(draw()),
-                Some(hard) => (0..64)
-                    .map(|_| draw())
-                    .find(|&(clip, cut)| hard.leads((clip, cut.to), hard.first)),
-            };
-            let Some((clip, cut)) = start else { continue };
+            let (clip, cut) = ways.graph.cut(starts[rng.random_range(0..starts.len())]);
             let world_from_clip = target.anchor * library.torsos(clip)[cut.to as usize].inverse();
             new.push(
                 ways,

@@ -98,10 +98,10 @@ impl Trial {
         self.first.map_or(f64::INFINITY, |spent| clock.secs(spent))
     }
 
-    /// The best score after so many seconds; that of the first round where it took longer.
+    /// The best score after so many seconds; infinite before the first round was over.
     pub(crate) fn score_at(&self, clock: Clock, secs: f64) -> f64 {
         let in_time = self.curve.iter().take_while(|point| clock.secs(point.spent) <= secs);
-        in_time.last().or(self.curve.first()).map_or(f64::INFINITY, |point| point.score)
+        in_time.last().map_or(f64::INFINITY, |point| point.score)
     }
 
     /// When a score was reached, seconds; infinite where never.

@@ -25,8 +25,10 @@ const MIN_PIECE: u32 = 6;
 /// could be entered stand alike.
 const LOOK_AHEAD: u32 = 20;
 
-/// After so many states a search is over: the best end that was seen is what it has found.
-const MAX_EXPANDED: usize = 2_000;
+/// After so many states a lane's first search is over: the best end that was seen is what it has
+/// found. Each search after it may look into twice as many, up to [`MAX_EXPANDED`].
+const FIRST_EXPANDED: usize = 256;
+const MAX_EXPANDED: usize = 4096;
 
 /// Lengths drawn where nothing says how long the motion should be.
 const FREE_FRAMES: std::ops::Range<u32> = 60..300;
@@ -102,6 +104,7 @@ pub(super) enum Outcome {
 #[derive(Clone, Debug)]
 pub(super) struct Frontier {
     weight: f32,
+    max_expanded: usize,
     n_frames: u32,
     nodes: Vec<Node>,
     open: BinaryHeap<Rank>,
@@ -114,12 +117,18 @@ pub(super) struct Frontier {
 }
 
 impl Frontier {
-    pub(super) fn new(ways: &Ways, ground: Ground<'_>, weight: f32, rng: &mut Pcg64Mcg) -> Self {
+    pub(super) fn new(
+        ways: &Ways,
+        ground: Ground<'_>,
+        (weight, n_done): (f32, usize),
+        rng: &mut Pcg64Mcg,
+    ) -> Self {
         let Ground { library, target, .. } = ground;
         let n_frames = target.frames.unwrap_or_else(|| rng.random_range(FREE_FRAMES));
         let n_frames = n_frames.max(target.needed() + 1).max(1);
         let mut new = Self {
             weight,
+            max_expanded: MAX_EXPANDED.min(FIRST_EXPANDED << n_done.min(8)),
             n_frames,
             nodes: Vec::new(),
             open: BinaryHeap::new(),
@@ -170,7 +179,7 @@ impl Frontier {
             let rank = self.open.pop();
             let next = rank.filter(|rank| {
                 let is_end = matches!(self.nodes[rank.node as usize].step, Step::End(_));
-                !is_end && self.n_expanded < MAX_EXPANDED
+                !is_end && self.n_expanded < self.max_expanded
             });
             let Some(Rank { node, .. }) = next else {
                 let end = self.best_end.map(|(_, end)| self.path(ways, end));

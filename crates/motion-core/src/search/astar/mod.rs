@@ -105,8 +105,8 @@ impl Lane {
         if let State::Idle = self.state {
             let mut rng = stream(ground.seed, ground.round, self.number);
             let weight = WEIGHTS[self.n_done % WEIGHTS.len()];
+            let frontier = Frontier::new(ways, ground, (weight, self.n_done), &mut rng);
             self.n_done += 1;
-            let frontier = Frontier::new(ways, ground, weight, &mut rng);
             self.state = State::Searching(Box::new(frontier));
         }
         match &mut self.state {

@@ -61,7 +61,8 @@ pub(crate) enum Command {
     #[command(after_help = "Examples:\n  \
         gaitway solve corner.gaitway -o out\n  \
         gaitway solve corner.gaitway --library cmu.gwlib -o out --time 2\n  \
-        gaitway solve corner.gaitway -o out --iterations 200 --seed 7    (the same bytes every time)")]
+        gaitway solve corner.gaitway -o out --iterations 200 --seed 7    (the same bytes every time)\n  \
+        gaitway solve corner.gaitway -o out-af02 --search af02 --seed 7    (what the paper's search finds)")]
     Solve(Solve),
     /// Bring a motion to another format, rate or unit
     #[command(after_help = "Example:\n  gaitway convert take.bvh take-30.bvh --fps 30 --unit m")]
@@ -192,6 +193,9 @@ pub(crate) struct Solve {
     /// Search for so many seconds [default: 5]
     #[arg(long, value_name = "SECONDS", value_parser = positive, allow_negative_numbers = true)]
     pub(crate) time: Option<f64>,
+    /// The search that looks for motions; the others are there to be compared with
+    #[arg(long, value_name = "SEARCH", value_enum, default_value = "gaitway")]
+    pub(crate) search: SearchName,
     /// The format of the motions
     #[arg(long, value_name = "FORMAT", value_enum, default_value = "bvh")]
     pub(crate) format: Format,
@@ -263,6 +267,17 @@ pub(crate) enum Unit {
     M,
     /// Centimetres, which most tools expect of BVH
     Cm,
+}
+
+/// A search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum SearchName {
+    /// Gaitway's own
+    Gaitway,
+    /// That of Arikan & Forsyth 2002, as the paper has it
+    Af02,
+    /// Anytime weighted A* over the coarse graph (after Safonova & Hodgins 2007)
+    Astar,
 }
 
 /// A format of motions.

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
+use motion_core::search::SearchKind;
 use motion_io::diagnostic::FileError;
 use motion_io::guess::UpAxis;
 use motion_io::import::ReadOptions;
@@ -45,6 +46,15 @@ pub(crate) fn budget(args: &Solve) -> (Budget, Clocks) {
             let limit = Duration::try_from_secs_f64(secs).unwrap_or(Duration::MAX);
             (Budget::Time(limit), Clocks::InReport)
         }
+    }
+}
+
+/// Which search was named.
+pub(crate) fn search_kind(args: &Solve) -> SearchKind {
+    match args.search {
+        args::SearchName::Gaitway => SearchKind::Gaitway,
+        args::SearchName::Af02 => SearchKind::Af02,
+        args::SearchName::Astar => SearchKind::AStar,
     }
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use anyhow::Context as _;
 use motion_core::cancel::CancelToken;
 use motion_core::search::SearchLibrary;
 use motion_io::diagnostic::Warnings;
@@ -26,6 +27,12 @@ impl Source {
     /// The motion capture where there is some, else the built-in library.
     pub fn find() -> Self {
         find_shared_dir().map_or(Self::BuiltIn, |shared| Self::Cmu(shared.join("mocap/cmu")))
+    }
+
+    /// Where projects on these clips are.
+    pub fn problems(&self) -> anyhow::Result<PathBuf> {
+        let shared = find_shared_dir().context("there is no shared folder")?;
+        Ok(shared.join("problems"))
     }
 
     /// Imports the clips and calibrates their floors, or performs them.

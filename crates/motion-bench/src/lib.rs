@@ -1,6 +1,8 @@
-//! What benchmarks and figures share: the clips, the five problems, and motions made of solutions.
+//! What benchmarks and figures share: the clips, the problems, and motions made of solutions.
 
+pub mod asked;
 pub mod clips;
 pub mod finish;
 pub mod problems;
+pub mod random_problems;
 pub mod stopwatch;

@@ -9,7 +9,7 @@ use motion_core::assemble::Assembler;
 use motion_core::cancel::CancelToken;
 use motion_core::motion::Motion;
 use motion_core::path::Path as CutPath;
-use motion_core::search::SearchLibrary;
+use motion_core::search::{SearchKind, SearchLibrary};
 use motion_core::units::Fps;
 use motion_io::diagnostic::{FileError, Warnings};
 use motion_io::project_file::{Character, Project, relative_to};
@@ -45,6 +45,8 @@ pub struct ProjectRequest<'a> {
     pub no_bridges: bool,
     /// Instead of the project's seed.
     pub seed: Option<u64>,
+    /// Which search is used.
+    pub kind: SearchKind,
     /// Instead of the project's number of alternatives.
     pub alternatives: Option<usize>,
     /// How long to search, all characters together.
@@ -125,6 +127,7 @@ pub fn solve_project(
             library: search,
             problem: character.problem.clone(),
             seed: seed.wrapping_add(nth as u64),
+            kind: request.kind,
             budget,
             n_alternatives,
         };
@@ -289,6 +292,7 @@ mod tests {
                 mirror: false,
                 no_bridges: false,
                 seed: None,
+                kind: SearchKind::default(),
                 alternatives: Some(2),
                 budget: Budget::Iterations(8),
             };

@@ -6,7 +6,7 @@ use std::time::Instant;
 use motion_core::cancel::CancelToken;
 use motion_core::path::Path;
 use motion_core::score::Judgement;
-use motion_core::search::{Problem, ProblemError, Progress, Search, SearchLibrary};
+use motion_core::search::{Problem, ProblemError, Progress, Search, SearchKind, SearchLibrary};
 
 use crate::budget::{Budget, with_deadline};
 
@@ -60,6 +60,8 @@ pub struct SolveRequest {
     pub problem: Problem,
     /// Start of all chance.
     pub seed: u64,
+    /// Which search is used.
+    pub kind: SearchKind,
     /// When to end.
     pub budget: Budget,
     /// At most so many alternatives.
@@ -73,9 +75,9 @@ pub fn solve(
     cancel: &CancelToken,
     on_progress: &mut dyn FnMut(f64, Progress),
 ) -> Result<Found, ProblemError> {
-    let SolveRequest { library, problem, seed, budget, n_alternatives } = request;
+    let SolveRequest { library, problem, seed, kind, budget, n_alternatives } = request;
     let start = Instant::now();
-    let mut search = Search::new(library, problem, seed)?;
+    let mut search = Search::of_kind(library, problem, seed, kind)?;
     let limit = match budget {
         Budget::Time(limit) => Some(limit),
         Budget::Iterations(_) => None,

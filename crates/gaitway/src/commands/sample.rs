@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
+use motion_core::search::SearchKind;
 use motion_io::diagnostic::Warnings;
 use motion_io::project_file::Project;
 use motion_session::budget::Budget;
@@ -34,6 +35,7 @@ pub(crate) fn run(common: &Common) -> Result<(), Failure> {
         mirror: false,
         no_bridges: false,
         seed: common.seed,
+        kind: SearchKind::default(),
         alternatives: None,
         budget: BUDGET,
     };

@@ -26,6 +26,7 @@ pub(crate) fn run(console: &Console, common: &Common, args: &Solve) -> Result<()
         mirror: args.mirror,
         no_bridges: args.no_bridges,
         seed: common.seed,
+        kind: plan::search_kind(args),
         alternatives: args.alternatives.map(usize::from),
         budget,
     };

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use motion_core::cancel::CancelToken;
 use motion_core::retarget::PathScale;
+use motion_core::search::SearchKind;
 use motion_io::diagnostic::Warnings;
 use motion_io::gltf;
 use motion_io::import::read_motion_file;
@@ -66,6 +67,7 @@ pub(crate) fn load(
         mirror: false,
         no_bridges: false,
         seed,
+        kind: SearchKind::default(),
         alternatives: Some(usize::from(args.take)),
         budget: match args.time {
             Some(secs) => {

@@ -199,3 +199,20 @@ fn an_interrupted_search_writes_what_it_has() {
     assert!(status.success(), "{status}");
     assert!(dir.join("out/A-1.bvh").is_file(), "what was found is written");
 }
+
+#[test]
+fn another_search_writes_the_same_kind_of_report() {
+    let dir = dir_with_library();
+    for (search, rounds) in [("af02", 3), ("astar", 40)] {
+        let typed =
+            format!("solve corner.gaitway -o {search} --iterations {rounds} --search {search}");
+        gaitway(&dir, &typed).ok();
+        let report = report(&dir, search);
+        assert_eq!(report["iterations"], rounds, "{search}");
+        let alternatives = report["characters"][0]["alternatives"].as_array().expect("a list");
+        assert!(!alternatives.is_empty(), "{search} finds something");
+    }
+    let ran = gaitway(&dir, "solve corner.gaitway -o out --search best");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("af02"), "it says which there are: {}", ran.stderr);
+}

@@ -1,25 +1,37 @@
 //! One figure of the table a file.
 
 mod alternatives;
+mod alternatives2s;
 mod assembly;
 pub(crate) mod build;
 mod candidates;
+mod candidates_all_kinds;
 mod correction;
 pub(crate) mod editor;
+mod errand;
 mod film;
 mod first_acceptable;
 mod leaf_edges;
 mod load;
 mod picture;
 mod plain_features;
+mod problems;
 mod quantile;
+mod random;
+mod rescore;
 mod runs;
 mod score;
+mod score1s;
 mod seams;
+mod threads;
+mod trials;
+mod versus;
 
 use std::sync::Arc;
 
+use motion_bench::asked::{self, Asked};
 use motion_bench::clips::{Source, build as build_library, search_library};
+use motion_bench::problems::ASKS;
 use motion_core::search::SearchLibrary;
 
 use crate::effort::Effort;
@@ -42,6 +54,15 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure { name: "first", measure: first_acceptable::measure },
     Figure { name: "alternatives", measure: alternatives::measure },
     Figure { name: "score", measure: score::measure },
+    Figure { name: "problems", measure: problems::measure },
+    Figure { name: "score1s", measure: score1s::measure },
+    Figure { name: "versus", measure: versus::measure },
+    Figure { name: "candidates-all-kinds", measure: candidates_all_kinds::measure },
+    Figure { name: "errand", measure: errand::measure },
+    Figure { name: "alternatives2s", measure: alternatives2s::measure },
+    Figure { name: "random", measure: random::measure },
+    Figure { name: "rescore", measure: rescore::measure },
+    Figure { name: "threads", measure: threads::measure },
     Figure { name: "correction", measure: correction::measure },
     Figure { name: "seams", measure: seams::measure },
     Figure { name: "assembly", measure: assembly::measure },
@@ -56,11 +77,12 @@ pub(crate) struct Bench {
     pub(crate) effort: Effort,
     library: Option<Arc<SearchLibrary>>,
     runs: Option<Arc<Runs>>,
+    asked: Option<Arc<[Asked]>>,
 }
 
 impl Bench {
     pub(crate) fn new(source: Source, effort: Effort) -> Self {
-        Self { source, effort, library: None, runs: None }
+        Self { source, effort, library: None, runs: None, asked: None }
     }
 
     /// The library of the source's clips.
@@ -82,5 +104,23 @@ impl Bench {
         let runs = Arc::new(run_all(&library, self.effort.n_seeds)?);
         self.runs = Some(Arc::clone(&runs));
         Ok(runs)
+    }
+
+    /// The projects' problems; for want of the projects the five that are known as data.
+    pub(crate) fn asked(&mut self) -> anyhow::Result<Arc<[Asked]>> {
+        if let Some(asked) = &self.asked {
+            return Ok(Arc::clone(asked));
+        }
+        let library = self.library()?;
+        let n_clips = library.graph().n_clips();
+        let asked: Arc<[Asked]> = match &self.source {
+            Source::Cmu(_) => asked::load_all(&self.source.problems()?, library.clips())?.into(),
+            Source::BuiltIn => ASKS
+                .iter()
+                .map(|ask| Asked { name: ask.name[..2].to_owned(), problem: ask.problem(n_clips) })
+                .collect(),
+        };
+        self.asked = Some(Arc::clone(&asked));
+        Ok(asked)
     }
 }

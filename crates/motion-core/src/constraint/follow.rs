@@ -2,6 +2,8 @@
 
 use glam::Vec2;
 
+use super::{TOLERANCE_M, TOLERANCE_RAD};
+
 /// Frames between the places at which a followed curve is read.
 pub const FOLLOW_STRIDE: u32 = 5;
 
@@ -45,6 +47,12 @@ pub struct FollowError {
 }
 
 impl FollowConstraint {
+    /// A wish to go along a curve, looking along it, with the usual weight and tolerances.
+    pub fn new(from: u32, to: u32, points_m: Vec<Vec2>) -> Self {
+        let (weight, tolerance_m, tolerance_rad) = (1.0, TOLERANCE_M, TOLERANCE_RAD);
+        Self { from, to, points_m, looks_along: true, weight, tolerance_m, tolerance_rad }
+    }
+
     /// Where the body should be at every [`FOLLOW_STRIDE`]-th frame and at the last.
     pub fn waypoints(&self) -> Vec<Waypoint> {
         let mut reached_m = vec![0.0f32];

@@ -7,12 +7,15 @@
 //! other within a round and each draws from its own random stream, so the outcome depends on the
 //! seed and the number of rounds alone, not on threads.
 
+mod af02;
 mod alternatives;
+mod astar;
 mod best;
 mod detour;
 mod ends;
 mod evaluate;
 mod hard;
+mod kind;
 mod landing;
 mod library;
 mod line;
@@ -25,6 +28,7 @@ mod reading;
 mod reconnect;
 mod refine;
 mod resume;
+mod rivals;
 mod rng;
 mod route;
 mod seeds;
@@ -44,6 +48,7 @@ use rayon::prelude::*;
 pub use alternatives::DISTINCT_M;
 pub use best::ScoreCounts;
 pub use hard::HardWish;
+pub use kind::SearchKind;
 pub use library::SearchLibrary;
 pub use neighbourhood::Neighbourhood;
 pub use problem::{Problem, ProblemError};
@@ -111,6 +116,8 @@ pub struct Search {
     alternatives: Alternatives,
     best: Option<(Route, u64)>,
     progress: Progress,
+    /// The other search that it is instead, if it is one.
+    rival: Option<rivals::Rival>,
 }
 
 impl Search {
@@ -142,7 +149,7 @@ impl Search {
         let lines = (0..N_LINES).map(Line::new).collect();
         let progress = Progress { best: f32::INFINITY, ..Progress::default() };
         let alternatives = Alternatives::new(MAX_ALTERNATIVES);
-        let (waiting, best) = (Vec::new(), None);
+        let (waiting, best, rival) = (Vec::new(), None, None);
         Ok(Self {
             library,
             problem,
@@ -154,12 +161,16 @@ impl Search {
             alternatives,
             best,
             progress,
+            rival,
         })
     }
 
     /// One round: every line takes a step. Returns `false`, with nothing changed, if cancelled
     /// before the round was complete.
     pub fn step(&mut self, cancel: &CancelToken) -> bool {
+        if let Some(rival) = self.rival.take() {
+            return self.step_rival(rival, cancel);
+        }
         let round = self.progress.iteration + 1;
         let elite: Vec<Route> =
             self.alternatives.kept().iter().map(|kept| kept.route.clone()).collect();
@@ -276,13 +287,15 @@ impl Search {
     }
 
     fn any_line_is_acceptable(&self) -> bool {
-        self.lines.iter().filter_map(Line::route).any(|route| {
-            // Scores first: judging lays every frame out.
-            route.score <= self.target.most_when_acceptable(route.cuts_cost)
-                && route.is_clear(&self.library, &self.target)
-                && self
-                    .judge(&route.path)
-                    .is_some_and(|judged| judged.is_acceptable(&self.problem.wishes))
-        })
+        self.lines.iter().filter_map(Line::route).any(|route| self.is_acceptable(route))
+    }
+
+    fn is_acceptable(&self, route: &Route) -> bool {
+        // Scores first: judging lays every frame out.
+        route.score <= self.target.most_when_acceptable(route.cuts_cost)
+            && route.is_clear(&self.library, &self.target)
+            && self
+                .judge(&route.path)
+                .is_some_and(|judged| judged.is_acceptable(&self.problem.wishes))
     }
 }

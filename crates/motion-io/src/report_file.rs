@@ -63,6 +63,22 @@ pub struct CharacterReport {
     pub trace: Vec<TracePoint>,
     /// Sentences for a person: what could not be met, and why.
     pub unmet: Vec<String>,
+    /// Where something was not met: the smallest changes that would meet it, each tried.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub suggestions: Vec<SuggestionReport>,
+}
+
+/// A change of what is asked, and what it would bring.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SuggestionReport {
+    /// The kind of change: `length`, `place`, `time`, `tolerance`, `pose`, `style` or `palette`.
+    pub change: String,
+    /// What to do and what that brings, for a person.
+    pub sentence: String,
+    /// The best score as it is asked.
+    pub score_before: f64,
+    /// The best score of a short search for what would be asked.
+    pub score_after: f64,
 }
 
 /// When the first acceptable path was found.
@@ -118,7 +134,9 @@ pub struct Terms {
     pub joint: f64,
     /// Style constraints.
     pub style: f64,
-    /// Obstacles and level ground.
+    /// Followed curves.
+    pub path: f64,
+    /// Obstacles, other bodies and level ground.
     pub environment: f64,
 }
 
@@ -153,12 +171,19 @@ pub struct SeamReport {
 pub struct ConstraintReport {
     /// The constraint's id.
     pub constraint: String,
-    /// Its kind: `body`, `joint`, ….
+    /// Its kind: `body`, `joint`, `pose`, `lock`, `style`, `path`; or `obstacles`, all together.
     pub kind: String,
-    /// Distance from the wanted place.
+    /// Whether a pose or a locked stretch is shown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub met: Option<bool>,
+    /// Mean distance of the joints from a pose where it is taken; of a finished motion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pose_error_m: Option<f64>,
+    /// Distance from the wanted place; of a followed curve the root of the mean square.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_error_m: Option<f64>,
-    /// Turn from the wanted heading.
+    /// Turn from the wanted heading, where one is wanted; of a followed curve the root of the mean
+    /// square.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heading_error_deg: Option<f64>,
     /// Difference from the wanted velocity, of a joint that is to have one.
@@ -167,6 +192,12 @@ pub struct ConstraintReport {
     /// How many frames late (positive) or early it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame_error: Option<i64>,
+    /// The share of a style's frames that do not have its tag, 0 to 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub share_without: Option<f64>,
+    /// How deep any joint ever is within an obstacle or the 0.10 m around it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deepest_m: Option<f64>,
 }
 
 /// Figures of a motion's quality, as `measure` prints them; `measure --explain` defines each.
@@ -326,6 +357,7 @@ mod tests {
                 }],
                 trace: vec![TracePoint { s: Some(0.1), iteration: 1, best: 41.0, alternatives: 0 }],
                 unmet: Vec::new(),
+                suggestions: Vec::new(),
             }],
         }
     }

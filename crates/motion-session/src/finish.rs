@@ -1,18 +1,25 @@
 //! From a path that was found to a motion and what the report says of it.
 
-mod reached;
+mod measured;
+pub(crate) mod misses;
+mod targets;
 
 use std::sync::Arc;
 
-use motion_core::assemble::{Assembler, BodyTarget, Plan, Policies};
+use motion_core::assemble::{Assembler, Plan, Policies};
 use motion_core::by_hand::{self, ByHand};
-use motion_core::constraint::BodyError;
 use motion_core::floor::Soles;
 use motion_core::ground::{Contacts, GroundTrack};
+use motion_core::ids::ClipId;
 use motion_core::measure::{Support, measure};
 use motion_core::motion::Motion;
+use motion_core::path::Piece;
+use motion_core::score::{ScoreTerms, lay_end_to_end};
 use motion_core::units::FrameIdx;
-use motion_io::report_file::{AlternativeReport, ConstraintReport, PieceReport, SeamReport, Terms};
+use motion_io::report_file::{AlternativeReport, PieceReport, SeamReport, Terms};
+
+use measured::Finish;
+use misses::{Misses, constraint_reports};
 
 use crate::Library;
 use crate::problem::CharacterProblem;
@@ -40,6 +47,8 @@ pub struct Assembly {
     levels_m: Vec<f32>,
     soles: Soles,
     source_slide_cm_per_s: Option<f64>,
+    /// Which frame of which clip each frame shows.
+    shown: Vec<(ClipId, FrameIdx)>,
     /// Without what is measured on the finished motion.
     report: AlternativeReport,
 }
@@ -73,13 +82,13 @@ pub fn assemble(
     let Alternative { path, judgement, .. } = alternative;
     let (graph, clips) = (&library.graph, &library.clips);
     let pieces = path.pieces(graph);
-    let targets = targets(character, judgement.n_frames);
-    let plan = Plan {
-        pieces: &pieces,
-        start: judgement.world_from_start,
-        targets: &targets,
-        hard_frames: &[],
-    };
+    let wishes = &character.problem.wishes;
+    let start = judgement.world_from_start;
+    let raw: Vec<_> =
+        lay_end_to_end(clips, &pieces).into_iter().map(|torso| start * torso).collect();
+    let targets = targets::targets(wishes, &raw);
+    let hard_frames = targets::hard_frames(wishes);
+    let plan = Plan { pieces: &pieces, start, targets: &targets, hard_frames: &hard_frames };
     let made = assembler.assemble(&plan, Policies::BEST).ok()?;
     let seams = path.cuts.iter().zip(made.starts.iter().skip(1)).map(|(&cut, start)| SeamReport {
         frame: start.0,
@@ -90,6 +99,11 @@ pub fn assemble(
     });
     let sources = pieces.iter().map(|piece| piece.clip);
     let source_slide_cm_per_s = source_foot_slide_cm_per_s(clips, sources);
+    let frames_of = |piece: &Piece| {
+        let clip = piece.clip;
+        (piece.from.0..=piece.to.0).map(move |frame| (clip, FrameIdx(frame)))
+    };
+    let shown = pieces.iter().flat_map(frames_of).collect();
     let pieces = pieces.iter().map(|piece| PieceReport {
         clip: clips.clip(piece.clip).id.clone(),
         from: piece.from.0,
@@ -99,17 +113,11 @@ pub fn assemble(
     let report = AlternativeReport {
         rank,
         score: digits_of(terms.total()),
-        terms: Terms {
-            continuity: digits_of(terms.continuity),
-            length: digits_of(terms.length),
-            body: digits_of(terms.body),
-            environment: digits_of(terms.environment),
-            ..Terms::default()
-        },
+        terms: terms_report(&terms),
         frames: judgement.n_frames,
         pieces: pieces.collect(),
         seams: seams.collect(),
-        raw: constraint_reports(character, &judgement.body),
+        raw: constraint_reports(character, &Misses::before_correction(judgement)),
         final_: Vec::new(),
         quality: None,
         found_at_s: Some(alternative.found_at_s),
@@ -121,6 +129,7 @@ pub fn assemble(
         levels_m: made.levels_m,
         soles: assembler.soles(),
         source_slide_cm_per_s,
+        shown,
         report,
     })
 }
@@ -145,9 +154,11 @@ impl Assembly {
             None => Arc::clone(&self.motion),
         };
         let (mut contacts, mut levels_m) = (self.contacts.clone(), self.levels_m.clone());
+        let mut shown = self.shown.clone();
         let mut report = self.report.clone();
         if let Some(frames) = source_frames.as_deref() {
             contacts = frames.iter().map(|at| self.contacts[at.round() as usize]).collect();
+            shown = frames.iter().map(|at| self.shown[at.round() as usize]).collect();
             levels_m = frames.iter().map(|&at| between(&self.levels_m, at)).collect();
             let last = frames.len().saturating_sub(1);
             for seam in &mut report.seams {
@@ -161,8 +172,8 @@ impl Assembly {
         quality.source_foot_slide_cm_per_s = self.source_slide_cm_per_s;
         report.frames = u32::try_from(motion.n_frames()).unwrap_or(u32::MAX);
         report.quality = Some(quality);
-        report.final_ = constraint_reports(character, &final_errors(character, &track));
-        report.final_.extend(reached::reports(character, library, &motion, &track));
+        let finished = Finish { library, motion: &motion, track: &track, shown: &shown };
+        report.final_ = constraint_reports(character, &finished.misses(character));
         let before_hand = by_hand.map(|_| Arc::clone(&self.motion));
         Finished { motion, before_hand, source_frames, report }
     }
@@ -181,60 +192,9 @@ pub(crate) fn digits_of(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::from(value))
 }
 
-/// The frame at which the body constraint `nth` is read in a motion of `n_frames`: its own, but
-/// the last one's is the motion's last.
-pub(crate) fn read_at(character: &CharacterProblem, nth: usize, n_frames: u32) -> u32 {
-    let body = &character.problem.wishes.body;
-    let is_last = nth > 0 && nth + 1 == body.len();
-    if is_last { n_frames - 1 } else { body[nth].frame }
-}
-
-/// Body constraints as targets. A motion may end just where an inner constraint stands; the last
-/// one then has the frame to itself.
-fn targets(character: &CharacterProblem, n_frames: u32) -> Vec<BodyTarget> {
-    let body = &character.problem.wishes.body;
-    let mut targets: Vec<BodyTarget> = Vec::with_capacity(body.len());
-    for (nth, constraint) in body.iter().enumerate() {
-        let frame = FrameIdx(read_at(character, nth, n_frames));
-        targets.retain(|target| target.frame < frame);
-        targets.push(BodyTarget {
-            frame,
-            world_from_torso: constraint.world_from_torso(),
-            height: constraint.height_m.is_some(),
-        });
-    }
-    targets
-}
-
-fn final_errors(character: &CharacterProblem, track: &GroundTrack) -> Vec<BodyError> {
-    let n_frames = track.world_from_torso.len() as u32;
-    let body = &character.problem.wishes.body;
-    body.iter()
-        .enumerate()
-        .map(|(nth, constraint)| {
-            // A motion that is shorter by hand is where it ends, and early.
-            let frame = read_at(character, nth, n_frames).min(n_frames - 1);
-            let at = track.world_from_torso[frame as usize];
-            constraint.error(at, frame as i32 - constraint.frame as i32)
-        })
-        .collect()
-}
-
-pub(crate) fn constraint_reports(
-    character: &CharacterProblem,
-    errors: &[BodyError],
-) -> Vec<ConstraintReport> {
-    character
-        .body_ids
-        .iter()
-        .zip(errors)
-        .map(|(id, error)| ConstraintReport {
-            constraint: id.clone(),
-            kind: "body".to_owned(),
-            position_error_m: Some(digits_of(error.position_m)),
-            heading_error_deg: Some(digits_of(error.heading_rad.to_degrees())),
-            frame_error: Some(i64::from(error.frames)),
-            ..ConstraintReport::default()
-        })
-        .collect()
+fn terms_report(terms: &ScoreTerms) -> Terms {
+    let ScoreTerms { continuity, length, body, joint, style, path, environment } = *terms;
+    let [continuity, length, body, joint, style, path, environment] =
+        [continuity, length, body, joint, style, path, environment].map(digits_of);
+    Terms { continuity, length, body, joint, style, path, environment }
 }

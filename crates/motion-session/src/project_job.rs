@@ -26,7 +26,7 @@ use crate::hand_layer::layer_on;
 use crate::library_job::{GraphChoices, OnProgress};
 use crate::library_source::{LibraryChoice, resolve};
 use crate::live::ready_library::named_pieces;
-use crate::problem::{left_out_of_project, problem_of};
+use crate::problem::{problem_of, remarks_on_project};
 use crate::solve_job::{Found, SolveRequest, solve};
 use crate::unmet::unmet;
 
@@ -133,9 +133,9 @@ pub fn solve_project(
         };
         let label = format!("searching for {}", character.name);
         let found = solve(solve_request, cancel, &mut |share, _| on_progress(&label, share))
-            .map_err(|error| FileError::new(path, error.to_string(), "correct the project"))?;
+            .map_err(|error| character.refusal(&error).in_file(path))?;
         let mut sentences = unmet(&character, &library, &found);
-        sentences.extend(left_out_of_project(project));
+        sentences.extend(remarks_on_project(project));
         let assembler = Assembler::new(&library.clips);
         let layer_of = |path: &CutPath| {
             let take = TakeId::of(&named_pieces(&library, path));
@@ -167,6 +167,7 @@ pub fn solve_project(
             alternatives,
             trace: trace(&found),
             unmet: sentences,
+            suggestions: Vec::new(),
         });
         characters.push(SolvedCharacter { library, motions });
     }

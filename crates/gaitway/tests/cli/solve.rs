@@ -142,20 +142,60 @@ fn motions_of_an_earlier_run_do_not_stay() {
     assert!(files.contains(&"A-9.bvh".to_owned()), "{files:?}");
 }
 
+/// The corner with more constraints.
+fn corner_with(constraints: &str) -> String {
+    CORNER.replace("\"constraints\": [", &format!("\"constraints\": [{constraints},"))
+}
+
 #[test]
-fn what_this_version_leaves_out_is_said() {
+fn every_kind_of_constraint_is_asked_and_reported() {
     let dir = dir_with_library();
-    let project = CORNER.replace(
-        "\"constraints\": [",
-        "\"constraints\": [{\"id\": \"look\", \"kind\": \"joint\", \"frame\": 40, \
-         \"joint\": \"Head\", \"position\": [0, 2, 0]},",
+    let project = corner_with(
+        r#"{"id": "look", "kind": "joint", "frame": 40, "joint": "Head", "position": [0, 2, 0]},
+           {"id": "manner", "kind": "style", "from": 0, "to": 60, "tag": "walk"},
+           {"id": "way", "kind": "path", "from": 0, "to": 60, "points": [[0, 0], [0.5, 1.5]]}"#,
     );
-    dir.file("head.gaitway", project);
-    gaitway(&dir, "solve head.gaitway -o out --iterations 1").ok();
-    let unmet = report(&dir, "out")["characters"][0]["unmet"].clone();
-    let sentence = "joint constraint \"look\" was not considered: this version meets body \
-                    constraints and lengths only";
-    assert!(unmet.as_array().unwrap().contains(&sentence.into()), "{unmet}");
+    let box_ =
+        r#""obstacles": [{"shape": "cylinder", "center": [3, 1, 0], "radius": 0.3, "height": 2}],"#;
+    dir.file("all.gaitway", project.replace("\"characters\"", &format!("{box_} \"characters\"")));
+    gaitway(&dir, "solve all.gaitway -o out --iterations 5").ok();
+    let report = report(&dir, "out");
+    let character = &report["characters"][0];
+    for alternative in character["alternatives"].as_array().expect("a list") {
+        for which in ["raw", "final"] {
+            let all = alternative[which].as_array().expect("a list").iter();
+            let ids: Vec<&str> = all.filter_map(|one| one["constraint"].as_str()).collect();
+            assert_eq!(ids, ["start", "end", "look", "manner", "way", "obstacles"], "{which}");
+        }
+        let last = &alternative["final"];
+        assert!(
+            last[2]["position_error_m"].is_f64() && last[3]["share_without"].is_number(),
+            "{last}"
+        );
+        assert!(last[4]["position_error_m"].is_f64() && last[5]["deepest_m"].is_number(), "{last}");
+        assert!(
+            alternative["terms"]["joint"].as_f64().is_some_and(|cost| cost > 0.0),
+            "{alternative}"
+        );
+    }
+    let unmet = character["unmet"].to_string();
+    assert!(!unmet.contains("not considered"), "{unmet}");
+}
+
+#[test]
+fn what_cannot_be_shown_is_refused_by_its_id() {
+    let dir = dir_with_library();
+    dir.file(
+        "kick.gaitway",
+        corner_with(
+            r#"{"id": "kick", "kind": "pose", "frame": 40, "clip": "135_04", "clip_frame": 150}"#,
+        ),
+    );
+    gaitway(&dir, "solve kick.gaitway -o out --iterations 1").refused(
+        "gaitway: kick.gaitway: character \"A\": pose constraint \"kick\" shows clip \"135_04\", \
+         which is not in the library; import the clip, or choose one of the library's",
+    );
+    assert!(!dir.join("out").exists(), "nothing is written for what is refused");
 }
 
 #[test]

@@ -50,6 +50,11 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
+    /// How deep a point lies within it and the margin around it, metres; 0 outside.
+    pub fn depth_m(&self, world: Vec3) -> f32 {
+        Solid::new(self).depth_m(world)
+    }
+
     /// Whether every number is one and every size above 0.
     pub fn is_valid(&self) -> bool {
         match *self {

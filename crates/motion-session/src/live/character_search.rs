@@ -24,10 +24,11 @@ use super::lineage::Lineage;
 use super::ready_library::ReadyLibrary;
 use super::snapshot::{BestAt, Better, CharacterSnapshot, ConstraintHash, Made, SearchState, Take};
 use crate::document::{ByHand, TakeId, TakePiece};
-use crate::finish::{Assembly, Finished, assemble, constraint_reports};
+use crate::finish::misses::{Misses, constraint_reports};
+use crate::finish::{Assembly, Finished, assemble};
 use crate::problem::CharacterProblem;
 use crate::solve_job::Alternative;
-use crate::unmet::infeasible;
+use crate::unmet::too_fast::infeasible;
 
 /// Constraints whose searches are remembered, so that undo brings their takes back.
 const MAX_REMEMBERED: usize = 24;
@@ -64,8 +65,6 @@ pub(super) struct CharacterSearch {
     follow_best: bool,
     layers: Layers,
     made: BTreeMap<TakeId, Kept>,
-    /// How often what is only measured (joint targets, poses) has changed.
-    n_measures: u64,
     trace: Vec<BestAt>,
     /// Paths of takes that were in snapshots: a pick may come when they are none any more.
     seen: VecDeque<(TakeId, Path)>,
@@ -91,7 +90,6 @@ struct Shown {
 struct Kept {
     assembly: Assembly,
     made: Made,
-    n_measures: u64,
 }
 
 /// A search for earlier constraints.
@@ -113,7 +111,7 @@ pub(super) enum Passing {
 /// The hash of what is asked.
 pub(super) fn version_of(asked: &CharacterProblem, seed: u64) -> ConstraintHash {
     // Numbers print as the shortest text that reads back as them, so equal text is equal numbers.
-    let text = format!("{:?} {:?} {seed}", asked.problem, asked.body_ids);
+    let text = format!("{:?} {:?} {seed}", asked.problem, asked.ids);
     let bytes = ContentHash::of(text.as_bytes()).0;
     ConstraintHash(bytes.iter().take(8).fold(0, |hash, &byte| hash << 8 | u64::from(byte)))
 }
@@ -128,7 +126,7 @@ impl CharacterSearch {
     ) -> Result<Self, String> {
         let search =
             Search::with_paths(Arc::clone(&ready.search), asked.problem.clone(), seed, pinned);
-        let search = search.map_err(|error| error.to_string())?;
+        let search = search.map_err(|error| asked.refusal(&error).to_string())?;
         Ok(Self {
             version: version_of(&asked, seed),
             infeasible: infeasible(&asked, &ready.library),
@@ -144,7 +142,6 @@ impl CharacterSearch {
             follow_best: false,
             layers: Layers::default(),
             made: BTreeMap::new(),
-            n_measures: 0,
             trace: Vec::new(),
             seen: VecDeque::new(),
             passing: Passing::Not,
@@ -166,9 +163,6 @@ impl CharacterSearch {
         passing: Passing,
     ) -> Result<(), String> {
         let version = version_of(&asked, seed);
-        if (&asked.joints, &asked.poses) != (&self.asked.joints, &self.asked.poses) {
-            self.n_measures += 1;
-        }
         if version == self.version {
             self.asked = asked;
             self.passing = passing;
@@ -179,7 +173,7 @@ impl CharacterSearch {
             Some(at) => (self.remembered[at].search.clone(), self.remembered[at].shown.clone()),
             None => {
                 let rescored = self.search.rescored(asked.problem.clone(), &self.pool);
-                (rescored.map_err(|error| error.to_string())?, None)
+                (rescored.map_err(|error| asked.refusal(&error).to_string())?, None)
             }
         };
         search.reseed(seed);
@@ -335,9 +329,7 @@ impl CharacterSearch {
             let id = self.id(&path);
             let by_hand = self.layers.of(id, &self.lineage);
             let known = self.made.get(&id).filter(|kept| kept.made.version == self.version);
-            let is_now =
-                |kept: &Kept| kept.made.by_hand == by_hand && kept.n_measures == self.n_measures;
-            if known.is_some_and(is_now) {
+            if known.is_some_and(|kept| kept.made.by_hand == by_hand) {
                 continue;
             }
             let library = &self.ready.library;
@@ -356,7 +348,7 @@ impl CharacterSearch {
                 assembly.finish(library, &self.asked, layer);
             let (report, version) = (Arc::new(report), self.version);
             let made = Made { motion, before_hand, source_frames, by_hand, report, version };
-            self.made.insert(id, Kept { assembly, made, n_measures: self.n_measures });
+            self.made.insert(id, Kept { assembly, made });
             return true;
         }
         false
@@ -384,7 +376,7 @@ impl CharacterSearch {
         }
         takes.sort_by(|a, b| a.score.total_cmp(&b.score));
         self.made.retain(|id, _| takes.iter().any(|take| take.id == *id));
-        let mut remarks = self.asked.left_out.clone();
+        let mut remarks = self.asked.remarks.clone();
         remarks.extend(self.infeasible.iter().cloned());
         remarks.extend(self.layers.remarks().iter().cloned());
         CharacterSnapshot {
@@ -418,7 +410,9 @@ impl CharacterSearch {
     fn take(&self, path: &Path, id: TakeId, found_in: u64) -> Take {
         let judged = self.search.judge(path);
         let terms = judged.as_ref().map(|judged| judged.terms).unwrap_or_default();
-        let misses = judged.as_ref().map(|judged| constraint_reports(&self.asked, &judged.body));
+        let misses = judged
+            .as_ref()
+            .map(|judged| constraint_reports(&self.asked, &Misses::before_correction(judged)));
         let pieces = path.pieces(&self.ready.library.graph);
         let n_frames: usize = pieces.iter().map(|piece| piece.n_frames()).sum();
         Take {

@@ -15,7 +15,7 @@ use super::{
     CharacterSnapshot, Phase, SearchSnapshot, SearchState, Wake, kept_paths, wants_bridges,
 };
 use crate::document::CharacterIdx;
-use crate::problem::{left_out_of_project, problem_of};
+use crate::problem::{problem_of, remarks_on_project};
 
 /// How long the worker sleeps when nothing is to do; a wish wakes it.
 const NAP: Duration = Duration::from_secs(3600);
@@ -120,7 +120,7 @@ impl Worker {
             let bridges = wants_bridges(&project);
             let asked = problem_of(&project, character, &library.library, bridges, &request.path);
             let (kept, mut remarks) = kept_paths(&request.document, &character.name, library);
-            remarks.extend(left_out_of_project(&project));
+            remarks.extend(remarks_on_project(&project));
             if character.library.is_some() {
                 remarks.push("the character's own library is not used here yet".to_owned());
             }

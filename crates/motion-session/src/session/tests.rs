@@ -341,7 +341,7 @@ fn an_autosave_that_fails_is_tried_again_and_said_once() {
 }
 
 #[test]
-fn a_pose_is_missed_by_how_far_it_is_from_its_place() {
+fn a_pose_and_its_place_are_met() {
     let mut session = session(None);
     until(&mut session, "with a motion", has_motion);
     session.search().pause();
@@ -357,13 +357,15 @@ fn a_pose_is_missed_by_how_far_it_is_from_its_place() {
     };
     // It begins at the origin with this very pose.
     session.apply_all("Pose", &[pose(None), pose(Some([3.0, -4.0]))]).unwrap();
-    let miss_m = |s: &Session, nth: usize| {
+    let pose_report = |s: &Session, nth: usize| {
         let made = s.shown()?.take.made.as_ref()?;
-        let poses = made.report.final_.iter().filter(|report| report.kind == "pose");
-        poses.clone().nth(nth)?.position_error_m
+        let mut poses = made.report.final_.iter().filter(|report| report.kind == "pose");
+        poses.nth(nth).cloned()
     };
-    until(&mut session, "measured", |s| miss_m(s, 1).is_some());
-    let (here, there) = (miss_m(&session, 0).unwrap(), miss_m(&session, 1).unwrap());
-    assert!(here < 0.05, "{here} m");
-    assert!((there - 5.0).abs() < 0.1, "{there} m");
+    until(&mut session, "measured", |s| pose_report(s, 1).is_some());
+    let anywhere = pose_report(&session, 0).unwrap();
+    assert_eq!((anywhere.met, anywhere.position_error_m), (Some(true), None));
+    let placed = pose_report(&session, 1).unwrap();
+    assert_eq!(placed.met, Some(true));
+    assert!(placed.position_error_m.is_some_and(|m| m < 1e-3), "{placed:?}");
 }

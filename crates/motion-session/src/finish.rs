@@ -20,6 +20,7 @@ use motion_io::report_file::{AlternativeReport, PieceReport, SeamReport, Terms};
 
 use measured::Finish;
 use misses::{Misses, constraint_reports};
+pub(crate) use targets::read_at;
 
 use crate::Library;
 use crate::problem::CharacterProblem;

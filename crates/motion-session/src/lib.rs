@@ -28,6 +28,7 @@ pub mod quality;
 pub mod results;
 pub mod sample;
 pub mod solve_job;
+pub mod suggest;
 pub mod unmet;
 
 pub mod command;
@@ -52,7 +53,9 @@ pub use motion_io::project_file::{
     Constraint, ConstraintKind, LengthMode, LockedPiece, Palette, Project, Tolerance,
     load as load_project,
 };
-pub use motion_io::report_file::{AlternativeReport, ConstraintReport, SeamReport};
+pub use motion_io::report_file::{
+    AlternativeReport, ConstraintReport, SeamReport, SuggestionReport,
+};
 
 #[cfg(test)]
 mod fixture;

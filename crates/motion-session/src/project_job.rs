@@ -19,7 +19,7 @@ use motion_io::report_file::{
 
 use crate::Library;
 use crate::budget::Budget;
-use crate::document::{Document, TakeId};
+use crate::document::{CharacterIdx, Document, TakeId};
 use crate::error::JobError;
 use crate::finish::{digits_of, finish};
 use crate::hand_layer::layer_on;
@@ -28,6 +28,8 @@ use crate::library_source::{LibraryChoice, resolve};
 use crate::live::ready_library::named_pieces;
 use crate::problem::{problem_of, remarks_on_project};
 use crate::solve_job::{Found, SolveRequest, solve};
+use crate::suggest::after_solve::suggest;
+use crate::suggest::{Ground, Suggestion, WOULD_HELP};
 use crate::unmet::unmet;
 
 /// What is to be solved.
@@ -124,7 +126,7 @@ pub fn solve_project(
     let mut characters = Vec::new();
     for (nth, (character, library, search)) in problems.into_iter().enumerate() {
         let solve_request = SolveRequest {
-            library: search,
+            library: Arc::clone(&search),
             problem: character.problem.clone(),
             seed: seed.wrapping_add(nth as u64),
             kind: request.kind,
@@ -135,6 +137,17 @@ pub fn solve_project(
         let found = solve(solve_request, cancel, &mut |share, _| on_progress(&label, share))
             .map_err(|error| character.refusal(&error).in_file(path))?;
         let mut sentences = unmet(&character, &library, &found);
+        let ground = Ground {
+            document: &kept,
+            character: CharacterIdx(nth),
+            library: &library,
+            project_path: path,
+            bridges,
+        };
+        let from = (&search, seed.wrapping_add(nth as u64));
+        let suggestions = suggest(&ground, &character, from, &found, budget, cancel);
+        let said = suggestions.iter().map(|one| format!("{WOULD_HELP}{}", one.sentence));
+        sentences.extend(said);
         sentences.extend(remarks_on_project(project));
         let assembler = Assembler::new(&library.clips);
         let layer_of = |path: &CutPath| {
@@ -167,7 +180,7 @@ pub fn solve_project(
             alternatives,
             trace: trace(&found),
             unmet: sentences,
-            suggestions: Vec::new(),
+            suggestions: suggestions.iter().map(Suggestion::report).collect(),
         });
         characters.push(SolvedCharacter { library, motions });
     }

@@ -8,6 +8,7 @@ use motion_io::project_file;
 use motion_io::report_file::Report;
 use motion_session::project_job::{ProjectRequest, Solved, solve_project};
 use motion_session::results::{Clocks, write_results};
+use motion_session::suggest::WOULD_HELP;
 
 use crate::args::{Common, Solve};
 use crate::interrupt::cancel_on_interrupt;
@@ -82,7 +83,10 @@ pub(crate) fn summary(report: &Report, dir: &Path, files: &[PathBuf]) -> String 
             );
         }
         for sentence in &character.unmet {
-            let _ok = writeln!(out, "  not met: {sentence}");
+            let _ok = match sentence.strip_prefix(WOULD_HELP) {
+                Some(what) => writeln!(out, "  would help: {what}"),
+                None => writeln!(out, "  not met: {sentence}"),
+            };
         }
     }
     let n = files.len();

@@ -207,6 +207,33 @@ fn the_impossible_comes_with_its_reason() {
     assert!(unmet.contains("the fastest clip in use goes 1.2 m/s"), "{unmet}");
 }
 
+#[test]
+fn what_would_help_is_tried_and_said() {
+    let dir = dir_with_library();
+    dir.file("far.gaitway", CORNER.replace("[1.5, 2.5]", "[1.9, 3.4]"));
+    let args = "solve far.gaitway -o out --iterations 30";
+    let said = gaitway(&dir, args).ok().stdout;
+    let report = report(&dir, "out");
+    let character = &report["characters"][0];
+    let suggestions = character["suggestions"].as_array().expect("a list");
+    assert!((1..=3).contains(&suggestions.len()), "{character}");
+    for one in suggestions {
+        let sentence = one["sentence"].as_str().expect("a sentence");
+        assert!(sentence.contains(": score −"), "{sentence}");
+        assert!(said.contains(&format!("would help: {sentence}")), "{said}");
+        assert!(character["unmet"].to_string().contains("what would help"), "{character}");
+        let number = |key: &str| one[key].as_f64().expect("a number");
+        assert!(number("score_after") < number("score_before"), "{one}");
+    }
+    gaitway(&dir, &args.replace("-o out", "-o again --threads 1")).ok();
+    let again = fs::read(dir.join("again/report.json")).expect("a report");
+    assert_eq!(
+        again,
+        fs::read(dir.join("out/report.json")).expect("a report"),
+        "whatever the threads"
+    );
+}
+
 /// Ctrl-C ends the search, not the work: what was found is written.
 #[cfg(unix)]
 #[test]

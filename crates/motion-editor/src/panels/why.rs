@@ -25,6 +25,7 @@ pub fn why_ui(ui: &mut Ui, state: &mut EditorState) {
             ui.label(sentence);
         });
     }
+    suggestions_ui(ui, state);
     let Some(card) = state.shown_card().cloned() else {
         empty_ui(
             ui,
@@ -62,12 +63,36 @@ pub fn why_ui(ui: &mut Ui, state: &mut EditorState) {
     remarks_ui(ui, state);
 }
 
-/// What is asked and not considered.
+/// What would help where something is missed: each was tried, and is one step to be undone.
+fn suggestions_ui(ui: &mut Ui, state: &mut EditorState) {
+    let character = state.session.active();
+    let known = state.session.snapshot().character(character);
+    let suggestions = known.map_or_else(Vec::new, |known| known.suggestions.clone());
+    if suggestions.is_empty() {
+        return;
+    }
+    heading_ui(ui, "What would help", "tried for real, the smallest change first");
+    for suggestion in &suggestions {
+        ui.horizontal_wrapped(|ui| {
+            let button = ui.button("Apply");
+            button.widget_info(|| {
+                let label = format!("Apply: {}", suggestion.sentence);
+                WidgetInfo::labeled(egui::WidgetType::Button, true, label)
+            });
+            ui.label(&suggestion.sentence);
+            if button.clicked() {
+                state.apply_all("Apply suggestion", &suggestion.commands);
+            }
+        });
+    }
+}
+
+/// What is odd in what is asked, or cannot be.
 fn remarks_ui(ui: &mut Ui, state: &EditorState) {
     if state.remarks().is_empty() {
         return;
     }
-    heading_ui(ui, "Not considered", "");
+    heading_ui(ui, "To know", "");
     for sentence in state.remarks() {
         empty_ui(ui, sentence);
     }

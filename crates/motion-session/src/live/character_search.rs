@@ -28,6 +28,7 @@ use crate::finish::misses::{Misses, constraint_reports};
 use crate::finish::{Assembly, Finished, assemble};
 use crate::problem::CharacterProblem;
 use crate::solve_job::Alternative;
+use crate::suggest::{Case, Effort, Ground, Suggester};
 use crate::unmet::too_fast::infeasible;
 
 /// Constraints whose searches are remembered, so that undo brings their takes back.
@@ -44,6 +45,8 @@ const FIRST_ROUNDS_AT_LEAST: u64 = 24;
 const FIRST_ROUNDS_AT_MOST: u64 = 72;
 /// A better take must be better by this share to be worth a badge.
 const WORTH_A_BADGE: f32 = 0.01;
+/// Rounds that a change of what is asked is tried with.
+const ROUNDS_OF_A_CHANGE: u64 = 8;
 /// Points of the sparkline.
 const MAX_TRACE: usize = 512;
 
@@ -72,6 +75,8 @@ pub(super) struct CharacterSearch {
     passing: Passing,
     /// What the search knew when something new last came, and in which round.
     news: (f32, usize, u64),
+    /// Changes that may help, for the present constraints; none before they are thought of.
+    suggester: Option<Suggester>,
 }
 
 /// The take that is looked at.
@@ -146,6 +151,7 @@ impl CharacterSearch {
             seen: VecDeque::new(),
             passing: Passing::Not,
             news: (f32::INFINITY, 0, 0),
+            suggester: None,
         })
     }
 
@@ -192,6 +198,7 @@ impl CharacterSearch {
         self.pool.truncate(MAX_POOL);
         self.infeasible = infeasible(&asked, &self.ready.library);
         (self.asked, self.version) = (asked, version);
+        self.suggester = None;
         self.trace.clear();
         self.news = (f32::INFINITY, 0, self.search.progress().iteration);
         if let Some(shown) = &mut self.shown {
@@ -253,6 +260,7 @@ impl CharacterSearch {
 
     /// Other seeds; what was found stays.
     pub(super) fn shake(&mut self) {
+        self.suggester = None;
         self.search.shake();
         self.news.2 = self.search.progress().iteration;
     }
@@ -354,6 +362,27 @@ impl CharacterSearch {
         false
     }
 
+    /// Tries the next change that may help, where the search has settled on a best motion that misses
+    /// something. Returns whether there was one.
+    pub(super) fn suggest_one(&mut self, ground: &Ground<'_>, cancel: &CancelToken) -> bool {
+        if self.suggester.is_none() {
+            let best = self.search.best().and_then(|best| {
+                let judgement = self.search.judge(&best.path)?;
+                Some((best.path, judgement))
+            });
+            let Some((path, judgement)) = best else { return false };
+            let of = (ground.document, ground.character);
+            let case = Case::new(of, &self.asked, ground.library, &path, &judgement);
+            self.suggester =
+                Some(case.map_or_else(Suggester::default, |case| Suggester::new(&case)));
+        }
+        let Some(suggester) = self.suggester.as_mut().filter(|known| known.n_waiting() > 0) else {
+            return false;
+        };
+        suggester.try_next(ground, &self.search, Effort::Rounds(ROUNDS_OF_A_CHANGE), cancel);
+        true
+    }
+
     /// Everything that is known now.
     pub(super) fn snapshot(&mut self) -> CharacterSnapshot {
         let mut takes: Vec<Take> = Vec::new();
@@ -390,6 +419,7 @@ impl CharacterSearch {
             takes,
             trace: self.trace.clone(),
             remarks,
+            suggestions: self.suggester.as_ref().map_or_else(Vec::new, Suggester::suggestions),
         }
     }
 

@@ -7,6 +7,7 @@ use motion_core::score::ScoreTerms;
 use motion_io::report_file::{AlternativeReport, ConstraintReport};
 
 use crate::document::{ByHand, CharacterIdx, StoredTake, TakeId, TakePiece};
+use crate::suggest::Suggestion;
 
 /// A hash of what is asked of a character's motion: constraints, weights, clips in use. Results
 /// carry the one that they are for.
@@ -72,8 +73,11 @@ pub struct CharacterSnapshot {
     pub better: Option<Better>,
     /// The best score by round, for a sparkline: a point where it fell, since the last edit.
     pub trace: Vec<BestAt>,
-    /// Sentences on what is asked and not considered, or cannot be.
+    /// Sentences on what is odd in what is asked, or cannot be.
     pub remarks: Vec<String>,
+    /// Where the search has settled and something is missed: the smallest changes that would help, as
+    /// far as they were tried.
+    pub suggestions: Vec<Suggestion>,
 }
 
 /// A take that is better than the shown one.

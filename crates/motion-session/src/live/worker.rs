@@ -16,6 +16,7 @@ use super::{
 };
 use crate::document::CharacterIdx;
 use crate::problem::{problem_of, remarks_on_project};
+use crate::suggest::Ground;
 
 /// How long the worker sleeps when nothing is to do; a wish wakes it.
 const NAP: Duration = Duration::from_secs(3600);
@@ -225,7 +226,27 @@ impl Worker {
                 return true;
             }
         }
-        did
+        did || self.suggest(token)
+    }
+
+    /// Tries a change for the first character whose search has settled on what misses something.
+    fn suggest(&mut self, token: &CancelToken) -> bool {
+        let Some(request) = self.wish.request.clone() else { return false };
+        let settled = self.seats.iter_mut().enumerate().filter(|(_, seat)| seat.refusal.is_none());
+        for (nth, seat) in settled {
+            let Some(search) = seat.search.as_mut() else { continue };
+            let ground = Ground {
+                document: &request.document,
+                character: CharacterIdx(nth),
+                library: &request.library.library,
+                project_path: &request.path,
+                bridges: request.document.search().bridges.unwrap_or(true),
+            };
+            if search.suggest_one(&ground, token) {
+                return true;
+            }
+        }
+        false
     }
 
     fn snapshot(&mut self) -> SearchSnapshot {

@@ -30,6 +30,7 @@ use crate::Library;
 use asking::Asking;
 pub use constraint_ids::ConstraintIds;
 pub use refusal::Refusal;
+pub(crate) use style::has_tag;
 
 /// One character's problem, with what the report needs to speak of it.
 #[derive(Clone, Debug, PartialEq)]

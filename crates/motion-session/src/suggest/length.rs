@@ -15,6 +15,8 @@ const TURN_RAD_S: f64 = std::f64::consts::FRAC_PI_2;
 const STANDING_M_S: f64 = 0.3;
 /// Shares of a stretch that are tried too.
 const SHARES: [f64; 2] = [0.1, 0.25];
+/// A stretch is made so many times as long at most: beyond that it is another motion.
+const MOST_TIMES: i64 = 5;
 /// Fewer frames than this are no change worth trying.
 const LEAST: i64 = 3;
 
@@ -108,7 +110,8 @@ fn frames_worth_trying(case: &Case<'_>, missed: Missed, stretch: &Stretch) -> Ve
         let frames = (share * n_frames as f64).round() as i64;
         changes.extend([frames, -frames]);
     }
-    changes.retain(|&more| more.abs() >= LEAST && n_frames + more >= n_frames / 3);
+    let lengths = n_frames / 3..=MOST_TIMES * n_frames;
+    changes.retain(|&more| more.abs() >= LEAST && lengths.contains(&(n_frames + more)));
     changes.sort_unstable();
     changes.dedup();
     changes

@@ -6,8 +6,13 @@ use motion_session::{ConstraintKind, ConstraintReport};
 use crate::mark::Mark;
 use crate::take_card::TakeCard;
 
-/// A cost of 1 is so much off: metres, degrees, frames (docs/search.md).
+/// A cost of 1 is so much off where the constraint says nothing else: metres, degrees, frames
+/// (docs/search.md).
 const TOLERANCES: [f64; 3] = [0.30, 10.0, 10.0];
+/// So much of a joint's velocity is, metres per second.
+const TOLERANCE_M_S: f64 = 1.0;
+/// Such a share of a style's frames without its tag is.
+const TOLERANCE_SHARE: f64 = 0.10;
 
 /// What a constraint costs.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +25,7 @@ pub struct ConstraintReason {
     pub frame: usize,
     /// What it asks, in words.
     pub wish: String,
-    /// How far off the clips are as they were found; `None` where it is not considered.
+    /// How far off the clips are as they were found; `None` while nobody knows.
     pub before: Option<String>,
     /// How far off the motion is after correction.
     pub after: Option<String>,
@@ -47,23 +52,23 @@ pub struct CutReason {
     pub is_bridge: bool,
 }
 
-/// What each constraint adds to a take's score, the most first. `body_weight` is the project's
-/// factor of body constraints.
+/// What each constraint adds to a take's score, the most first. `weights` are the project's factors of
+/// the terms, by their names.
 pub fn constraint_reasons(
     take: &TakeCard,
     marks: &[Mark],
-    body_weight: f64,
+    weights: &[(String, f64)],
 ) -> Vec<ConstraintReason> {
-    let words = |mark: &Mark, report: &ConstraintReport| {
-        Mark { miss: Some(report.clone()), ..mark.clone() }.miss_text()
-    };
     let reason = |mark: &Mark| {
         let find = |all: &[ConstraintReport]| {
             all.iter().find(|report| report.constraint == mark.constraint.id).cloned()
         };
         let (before, after) = (find(&take.lane.raw_misses), find(&take.lane.misses));
-        let weight = mark.constraint.weight.unwrap_or(1.0) * body_weight;
-        let cost = before.as_ref().map_or(0.0, squared) * weight;
+        let term = term_of(&mark.constraint.kind);
+        let factor = weights.iter().find(|(name, _)| name == term).map_or(1.0, |(_, w)| *w);
+        let weight = mark.constraint.weight.unwrap_or(1.0) * factor;
+        let tolerances = tolerances_of(mark);
+        let cost = before.as_ref().map_or(0.0, |report| in_tolerances(report, tolerances)) * weight;
         ConstraintReason {
             at: mark.at.clone(),
             title: mark.title(),
@@ -110,12 +115,44 @@ fn share(cost: f64, score: f64) -> f64 {
     if score.is_finite() && score > 0.0 { (cost / score).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-/// The sum of squares in tolerances.
-fn squared(report: &ConstraintReport) -> f64 {
+/// The term of the score that a kind of constraint counts in.
+fn term_of(kind: &ConstraintKind) -> &'static str {
+    match kind {
+        ConstraintKind::Body { .. } | ConstraintKind::Pose { .. } => "body",
+        ConstraintKind::Joint { .. } => "joint",
+        ConstraintKind::Style { .. } => "style",
+        ConstraintKind::Path { .. } => "path",
+        ConstraintKind::Lock { .. } => "",
+    }
+}
+
+/// How far off a constraint says is well.
+fn tolerances_of(mark: &Mark) -> [f64; 3] {
+    let asked = mark.constraint.tolerance.as_ref();
+    let parts = asked.map_or([None; 3], |t| [t.position_m, t.heading_deg, t.frames]);
+    let [a, b, c] = TOLERANCES;
+    let or = |part: Option<f64>, usual: f64| part.unwrap_or(usual).max(1e-3);
+    [or(parts[0], a), or(parts[1], b), or(parts[2], c)]
+}
+
+/// The sum of squares in tolerances; of a style the share itself.
+fn in_tolerances(report: &ConstraintReport, tolerances: [f64; 3]) -> f64 {
     let frames = report.frame_error.map(|frames| frames as f64);
     let parts = [report.position_error_m, report.heading_error_deg, frames];
-    let each = parts.iter().zip(TOLERANCES).map(|(part, one)| (part.unwrap_or(0.0) / one).powi(2));
-    each.sum()
+    let each = parts.iter().zip(tolerances).map(|(part, one)| (part.unwrap_or(0.0) / one).powi(2));
+    let velocity = (report.velocity_error_m_s.unwrap_or(0.0) / TOLERANCE_M_S).powi(2);
+    each.sum::<f64>() + velocity + report.share_without.unwrap_or(0.0) / TOLERANCE_SHARE
+}
+
+/// How far a motion is off, in words.
+fn words(mark: &Mark, report: &ConstraintReport) -> String {
+    match (&mark.constraint.kind, report.share_without, report.met) {
+        (ConstraintKind::Style { tag, .. }, Some(share), _) if share >= 0.005 => {
+            format!("miss {:.0} %: it is not {tag}", 100.0 * share)
+        }
+        (_, _, Some(false)) => "miss all of it: it is not shown".to_owned(),
+        _ => Mark { miss: Some(report.clone()), ..mark.clone() }.miss_text(),
+    }
 }
 
 fn wish_of(mark: &Mark) -> String {
@@ -159,9 +196,12 @@ mod tests {
             (0.6, 0.0, 0, 4.0),
             (0.3, 10.0, 10, 3.0),
         ] {
-            assert!((squared(&report(metres, degrees, frames)) - expected).abs() < 1e-9);
+            let report = report(metres, degrees, frames);
+            assert!((in_tolerances(&report, TOLERANCES) - expected).abs() < 1e-9);
         }
-        assert_eq!(squared(&ConstraintReport::default()), 0.0);
+        assert_eq!(in_tolerances(&ConstraintReport::default(), TOLERANCES), 0.0);
+        let style = ConstraintReport { share_without: Some(0.2), ..ConstraintReport::default() };
+        assert!((in_tolerances(&style, TOLERANCES) - 2.0).abs() < 1e-9, "a share counts as it is");
         assert!((as_cm(1.0) - 30.0).abs() < 1e-9 && (as_cm(4.0) - 60.0).abs() < 1e-9);
         assert_eq!((share(2.0, 8.0), share(1.0, f64::INFINITY), share(1.0, 0.0)), (0.25, 0.0, 0.0));
     }

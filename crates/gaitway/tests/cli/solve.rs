@@ -210,7 +210,7 @@ fn the_impossible_comes_with_its_reason() {
 #[test]
 fn what_would_help_is_tried_and_said() {
     let dir = dir_with_library();
-    dir.file("far.gaitway", CORNER.replace("[1.5, 2.5]", "[1.9, 3.4]"));
+    dir.file("far.gaitway", CORNER.replace("[1.5, 2.5]", "[2.4, 3.6]"));
     let args = "solve far.gaitway -o out --iterations 30";
     let said = gaitway(&dir, args).ok().stdout;
     let report = report(&dir, "out");

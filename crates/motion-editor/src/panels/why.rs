@@ -35,10 +35,9 @@ pub fn why_ui(ui: &mut Ui, state: &mut EditorState) {
         return;
     };
     let weights = &state.session.document().search().weights;
-    let body_weight = weights.iter().find(|(name, _)| name == "body").map_or(1.0, |(_, w)| *w);
     let stale = if card.is_stale { "for earlier constraints" } else { "the dearest first" };
     heading_ui(ui, "Constraints", stale);
-    let reasons = constraint_reasons(&card, &state.marks, body_weight);
+    let reasons = constraint_reasons(&card, &state.marks, weights);
     if reasons.is_empty() {
         empty_ui(ui, "Nothing is asked yet; C and a press on the floor ask for a place");
     }
@@ -77,7 +76,7 @@ fn suggestions_ui(ui: &mut Ui, state: &mut EditorState) {
             let button = ui.button("Apply");
             button.widget_info(|| {
                 let label = format!("Apply: {}", suggestion.sentence);
-                WidgetInfo::labeled(egui::WidgetType::Button, true, label)
+                WidgetInfo::labeled(Role::Button, true, label)
             });
             ui.label(&suggestion.sentence);
             if button.clicked() {
@@ -101,7 +100,7 @@ fn remarks_ui(ui: &mut Ui, state: &EditorState) {
 fn constraint_ui(ui: &mut Ui, reason: &ConstraintReason, is_worst: bool, is_on: bool) -> Response {
     let (before, after) = (reason.before.as_deref(), reason.after.as_deref());
     let missed = match (before, after) {
-        (None, _) => "not considered by the search".to_owned(),
+        (None, _) => "not known yet".to_owned(),
         (Some("met"), _) => "met".to_owned(),
         (Some(before), Some("met")) => format!("{before} · met after correction"),
         (Some(before), Some(after)) if after != before => {

@@ -12,4 +12,5 @@ mod takes;
 mod timeline;
 mod timeline_cost;
 mod tools;
+mod why;
 mod window;

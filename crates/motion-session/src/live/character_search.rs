@@ -15,6 +15,7 @@ use std::sync::Arc;
 
 use motion_core::cancel::CancelToken;
 use motion_core::path::Path;
+use motion_core::score::Judgement;
 use motion_core::search::Search;
 use motion_io::content_hash::ContentHash;
 
@@ -75,6 +76,8 @@ pub(super) struct CharacterSearch {
     passing: Passing,
     /// What the search knew when something new last came, and in which round.
     news: (f32, usize, u64),
+    /// How takes were judged for the present constraints: with obstacles that takes a while.
+    judged: BTreeMap<TakeId, Option<Judgement>>,
     /// Changes that may help, for the present constraints; none before they are thought of.
     suggester: Option<Suggester>,
 }
@@ -151,6 +154,7 @@ impl CharacterSearch {
             seen: VecDeque::new(),
             passing: Passing::Not,
             news: (f32::INFINITY, 0, 0),
+            judged: BTreeMap::new(),
             suggester: None,
         })
     }
@@ -199,6 +203,7 @@ impl CharacterSearch {
         self.infeasible = infeasible(&asked, &self.ready.library);
         (self.asked, self.version) = (asked, version);
         self.suggester = None;
+        self.judged.clear();
         self.trace.clear();
         self.news = (f32::INFINITY, 0, self.search.progress().iteration);
         if let Some(shown) = &mut self.shown {
@@ -392,8 +397,8 @@ impl CharacterSearch {
         let shown = self.shown.iter().map(|shown| (shown.path.clone(), iterations));
         let pinned = self.pinned.iter().map(|path| (path.clone(), 0));
         let kindred = self.kindred.paths(&self.search).map(|path| (path, iterations));
-        let kindred: Vec<(Path, u64)> = kindred.collect();
-        for (path, found_in) in found.chain(shown).chain(pinned).chain(kindred) {
+        let all: Vec<(Path, u64)> = found.chain(shown).chain(pinned).chain(kindred).collect();
+        for (path, found_in) in all {
             let id = self.id(&path);
             if takes.iter().all(|take| take.id != id) {
                 takes.push(self.take(&path, id, found_in));
@@ -405,6 +410,7 @@ impl CharacterSearch {
         }
         takes.sort_by(|a, b| a.score.total_cmp(&b.score));
         self.made.retain(|id, _| takes.iter().any(|take| take.id == *id));
+        self.judged.retain(|id, _| takes.iter().any(|take| take.id == *id));
         let mut remarks = self.asked.remarks.clone();
         remarks.extend(self.infeasible.iter().cloned());
         remarks.extend(self.layers.remarks().iter().cloned());
@@ -437,8 +443,8 @@ impl CharacterSearch {
         }
     }
 
-    fn take(&self, path: &Path, id: TakeId, found_in: u64) -> Take {
-        let judged = self.search.judge(path);
+    fn take(&mut self, path: &Path, id: TakeId, found_in: u64) -> Take {
+        let judged = self.judged.entry(id).or_insert_with(|| self.search.judge(path)).clone();
         let terms = judged.as_ref().map(|judged| judged.terms).unwrap_or_default();
         let misses = judged
             .as_ref()

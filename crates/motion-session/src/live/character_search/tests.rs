@@ -308,3 +308,59 @@ fn joint_targets_are_wishes_and_measured_in_the_motion() {
         assert!((report.velocity_error_m_s.unwrap() - f64::from(speed_m_s)).abs() < 1e-3);
     }
 }
+
+#[test]
+fn what_would_help_is_tried_and_forgotten_with_what_was_asked() {
+    let (file, ready) = (FilePath::new("p"), ready_library());
+    let document = walk_to(0.8, 5.6);
+    let mut search = CharacterSearch::new(ready.clone(), asked(&document), 1, &[]).unwrap();
+    rounds(&mut search, 40);
+    let ground = Ground {
+        document: &document,
+        character: CharacterIdx(0),
+        library: &ready.library,
+        project_path: file,
+        bridges: true,
+    };
+    let cancelled = CancelToken::new();
+    cancelled.cancel();
+    assert!(search.suggest_one(&ground, &cancelled), "a change waits");
+    assert_eq!(search.snapshot().suggestions, [], "nothing was tried");
+    while search.suggest_one(&ground, &CancelToken::new()) {}
+    let suggestions = search.snapshot().suggestions;
+    assert!(!suggestions.is_empty(), "somebody walks there with more time");
+    for one in &suggestions {
+        assert!(crate::command::apply_all(&document, &one.commands).is_ok(), "{one:?}");
+    }
+    search.ask(asked(&walk_to(0.8, 5.5)), 1, Passing::Not).unwrap();
+    assert_eq!(search.snapshot().suggestions, []);
+}
+
+#[test]
+fn what_cannot_be_shown_is_refused_and_the_takes_stay() {
+    let mut search = search();
+    rounds(&mut search, 10);
+    let before = search.snapshot();
+    // A step back within a frame, which no clip shows.
+    let pose = |frame: u32, clip: &str, clip_frame: u32| Command::AddPose {
+        character: CharacterIdx(0),
+        frame,
+        clip: clip.to_owned(),
+        clip_frame,
+        position_m: None,
+        heading_deg: None,
+    };
+    let document = apply(&walk_to(0.8, 4.0), &pose(30, "walk", 5)).unwrap();
+    let document = apply(&document, &pose(31, "walk", 4)).unwrap();
+    let refusal = search.ask(asked(&document), 1, Passing::Not).unwrap_err();
+    assert!(
+        refusal.contains("from pose \"pose-1\" to pose \"pose-2\" it takes at least"),
+        "{refusal}"
+    );
+    let after = search.snapshot();
+    assert_eq!(after.shown, before.shown);
+    let ids = |snapshot: &CharacterSnapshot| -> Vec<TakeId> {
+        snapshot.takes.iter().map(|take| take.id).collect()
+    };
+    assert_eq!(ids(&after), ids(&before), "nothing is lost");
+}

@@ -10,7 +10,7 @@ use crate::command::{apply, apply_all};
 use crate::document::{CharacterIdx, ConstraintRef, Document};
 use crate::fixture::{ready_library, walk_to};
 use crate::problem::problem_of;
-use crate::solve_job::{Found, SolveRequest, solve};
+use crate::solve_job::{Alternative, Found, SolveRequest, solve};
 use crate::unmet::missed::missed;
 
 const ROUNDS: u64 = 40;
@@ -77,8 +77,10 @@ fn changes_that_meet_what_was_missed_the_smallest_first() {
         assert!(one.sentence.contains(" %"), "{one:?}");
         let changed = apply_all(&document, &one.commands).expect("it was tried");
         let (asked, found) = found_for(&changed);
-        let left = missed(&asked.problem.wishes, &found.alternatives[0].judgement);
-        assert_eq!(left, [], "{}", one.sentence);
+        let is_met = |alternative: &Alternative| {
+            missed(&asked.problem.wishes, &alternative.judgement).is_empty()
+        };
+        assert!(found.alternatives.iter().any(is_met), "{}", one.sentence);
     }
     assert_eq!(all, suggested(&document), "equal rounds, equal words");
 }

@@ -82,8 +82,9 @@ pub(super) fn outcome(
         Some(Outcome { score, missed: named(&asked, &judgement) })
     });
     let outcomes = outcomes.filter(|outcome| outcome.score.is_finite());
-    // What misses least; of those the best.
-    outcomes.min_by(|a, b| a.missed.len().cmp(&b.missed.len()).then(a.score.total_cmp(&b.score)))
+    // The best, since that is what would be looked at; where it is not enough, what misses least is no
+    // promise.
+    outcomes.min_by(|a, b| a.score.total_cmp(&b.score))
 }
 
 /// What a motion misses, by kind and id: numbers change with what is asked, names do not.

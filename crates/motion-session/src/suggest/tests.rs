@@ -26,6 +26,7 @@ fn found_for(document: &Document) -> (crate::problem::CharacterProblem, Found) {
         library: ready.search,
         problem: asked.problem.clone(),
         seed: 1,
+        kind: Default::default(),
         budget: crate::budget::Budget::Iterations(ROUNDS),
         n_alternatives: 4,
     };

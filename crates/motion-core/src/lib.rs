@@ -32,6 +32,7 @@ pub mod search;
 pub mod similarity;
 pub mod skeleton;
 pub mod support_level;
+pub mod tags;
 pub mod units;
 
 #[cfg(test)]

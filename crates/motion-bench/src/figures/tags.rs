@@ -18,7 +18,7 @@ fn says(tag: &str) -> (&'static [&'static str], &'static [&'static str]) {
         "run" => (&["run", "jog"], &[]),
         "idle" => (&["stop", "stand", "balance"], &[]),
         "backward" => (&["backward"], &[]),
-        "sideways" => (&["sideways", "side"], &[]),
+        "sideways" => (&["sideways"], &[]),
         "turn left" => (&["left"], &["side"]),
         "turn right" => (&["right"], &["side"]),
         "crouch" => (&["duck", "crouch", "sit", "bend", "stealthily"], &[]),

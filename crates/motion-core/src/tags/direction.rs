@@ -1,13 +1,13 @@
 //! `backward` and `sideways`: where the body goes, seen from where it looks.
 //!
 //! Both need travel of at least 0.35 m/s (until 0.25), for at least 0.4 s; gaps of up to 0.2 s are
-//! passed over.
+//! passed over. The back leans less than 70°.
 //!
 //! * **backward**: the travel is more than 120° off the heading (until less than 110°).
 //! * **sideways**: it is 50–120° off the heading to either side (until less than 40° or more
 //!   than 130°).
 
-use super::signals::Signals;
+use super::signals::{Signals, UPRIGHT_RAD};
 use super::span::{Hysteresis, TagSpan, lasting, tagged};
 
 const TRAVEL: Hysteresis = Hysteresis { enter: 0.35, leave: 0.25 };
@@ -22,7 +22,9 @@ const MIN_SECS: f64 = 0.4;
 
 /// The stretches of going backward and sideways.
 pub(super) fn find(signals: &Signals) -> Vec<TagSpan> {
-    let travels = TRAVEL.mask(signals.travel_m_s.iter().map(|travel| travel.length()));
+    let upright = signals.travel_m_s.iter().zip(&signals.lean_rad);
+    let travels =
+        TRAVEL.mask(upright.map(|(t, lean)| if *lean < UPRIGHT_RAD { t.length() } else { 0.0 }));
     let off_rad = || signals.travel_m_s.iter().map(|t| t.x.abs().atan2(t.y));
     let backward = BACKWARD.mask(off_rad().map(|off| -off.cos()));
     let sideways = SIDEWAYS.mask(

@@ -1,8 +1,8 @@
 //! `crouch`: the hips are low over the feet.
 //!
-//! The middle of the hip joints is below 0.88 legs above what supports the body (standing is about
-//! 1.1), until it is above 0.93, with a foot on the ground for half of the time or more; for at
-//! least 0.2 s.
+//! The middle of the hip joints is below 0.82 legs above what supports the body (standing is about
+//! 1.1), until it is above 0.88, with a foot on the ground for half of the time or more; for at
+//! least 0.3 s.
 
 use super::signals::Signals;
 use super::span::{Hysteresis, TagSpan, lasting, tagged};
@@ -14,9 +14,9 @@ pub(super) struct Below {
 }
 
 /// The height of a crouch, legs.
-pub(super) const CROUCH: Below = Below { enter_below: 0.88, leave_below: 0.93 };
+pub(super) const CROUCH: Below = Below { enter_below: 0.82, leave_below: 0.88 };
 const GAP_SECS: f64 = 0.1;
-const MIN_SECS: f64 = 0.2;
+const MIN_SECS: f64 = 0.3;
 
 /// The stretches of crouching.
 pub(super) fn find(signals: &Signals) -> Vec<TagSpan> {

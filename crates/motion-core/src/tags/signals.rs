@@ -24,6 +24,9 @@ pub const TRAVEL_SPAN_SECS: f64 = 0.5;
 /// fro.
 pub const TURN_SPAN_SECS: f64 = 0.8;
 
+/// A back that leans less than this is upright, radians: 70 degrees.
+pub(super) const UPRIGHT_RAD: f32 = 1.22;
+
 /// Numbers of every frame. Lengths are in legs, speeds those of a body with the
 /// [reference leg](REFERENCE_LEG_M).
 #[derive(Clone, Debug, PartialEq)]

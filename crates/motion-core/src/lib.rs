@@ -16,6 +16,7 @@ pub mod cancel;
 pub mod clip;
 pub mod constraint;
 pub mod contacts;
+pub mod coverage;
 pub mod floor;
 pub mod graph;
 pub mod ground;

@@ -77,11 +77,6 @@ impl Clip {
     pub fn n_frames(&self) -> usize {
         self.motion.n_frames()
     }
-
-    /// Whether what is done at `frame` is called `tag`; case does not matter.
-    pub fn has_tag_at(&self, tag: &str, _frame: FrameIdx) -> bool {
-        self.tags.iter().any(|own| own.eq_ignore_ascii_case(tag))
-    }
 }
 
 /// Clips on one skeleton at one rate, in a fixed order.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use motion_core::skeleton::mirror::MIRROR_SUFFIX;
+use motion_core::tags::{HandTag, HandTags, TagSpan, whole_tags};
 use motion_io::project_file::Palette;
 
 use crate::live::ReadyLibrary;
@@ -17,8 +18,12 @@ pub struct ClipRow {
     pub n_frames: usize,
     /// How long it is, seconds.
     pub secs: f64,
-    /// Words for what happens in it.
+    /// Words for what happens in it: by its name, found in it, given by hand.
     pub tags: Vec<String>,
+    /// Those that it was given by hand itself.
+    pub by_hand: Vec<HandTag>,
+    /// Where what was found in it happens.
+    pub spans: Vec<TagSpan>,
     /// The performer, where the id says it as capture databases do: `16` of `16_40`. A library does
     /// not know the folders that its clips came from.
     pub subject: Option<String>,
@@ -39,17 +44,27 @@ impl ClipRow {
 
 /// A row for every clip, in the library's order. With a palette that has a pattern that is none, no
 /// clip is in it, as the search refuses it.
-pub fn clip_rows(ready: &ReadyLibrary, palette: Option<&Palette>) -> Vec<ClipRow> {
+pub fn clip_rows(
+    ready: &ReadyLibrary,
+    palette: Option<&Palette>,
+    by_hand: &HandTags,
+) -> Vec<ClipRow> {
     let matcher = Matcher::new(palette).ok();
     let fps = ready.library.clips.fps();
-    let row = |clip: &motion_core::clip::Clip| ClipRow {
-        id: clip.id.clone(),
-        n_frames: clip.n_frames(),
-        secs: fps.duration_secs(clip.n_frames()),
-        tags: clip.tags.clone(),
-        subject: subject_of(&clip.id),
-        is_mirror: clip.id.ends_with(MIRROR_SUFFIX),
-        is_in_palette: matcher.as_ref().is_some_and(|matcher| matcher.has((&clip.id, &clip.tags))),
+    let row = |clip: &motion_core::clip::Clip| {
+        let tags = whole_tags(clip, by_hand);
+        let has = |matcher: &Matcher<'_>| matcher.has((&clip.id, &tags));
+        ClipRow {
+            id: clip.id.clone(),
+            n_frames: clip.n_frames(),
+            secs: fps.duration_secs(clip.n_frames()),
+            is_in_palette: matcher.as_ref().is_some_and(has),
+            tags,
+            by_hand: by_hand.of(&clip.id).to_vec(),
+            spans: clip.tag_spans.clone(),
+            subject: subject_of(&clip.id),
+            is_mirror: clip.id.ends_with(MIRROR_SUFFIX),
+        }
     };
     ready.library.clips.clips().iter().map(row).collect()
 }
@@ -82,8 +97,10 @@ mod tests {
     #[test]
     fn rows_say_what_a_list_needs() {
         let ready = ready_library();
-        let palette = palette_with(None, &tagged_clips(&ready), "walk", false);
-        let rows = clip_rows(&ready, palette.as_ref());
+        let by_hand = HandTags::default();
+        let all = clip_rows(&ready, None, &by_hand);
+        let palette = palette_with(None, &tagged_clips(&all), "walk", false);
+        let rows = clip_rows(&ready, palette.as_ref(), &by_hand);
         let out: Vec<&str> =
             rows.iter().filter(|row| !row.is_in_palette).map(|row| row.id.as_str()).collect();
         assert_eq!(out, ["walk", "walk@mirror"]);
@@ -92,18 +109,22 @@ mod tests {
         assert!((walk.secs - 89.0 / 30.0).abs() < 1e-9);
         assert_eq!(walk.tags, ["walk"]);
         assert!(rows.iter().any(|row| row.is_mirror));
-        assert_eq!(tag_counts(&rows)[0], ("walk".to_owned(), 4));
+        assert_eq!(tag_counts(&rows)[0], ("walk".to_owned(), 10));
     }
 
     #[test]
     fn searching_is_by_words_in_any_order() {
-        let rows = clip_rows(&ready_library(), None);
+        let rows = clip_rows(&ready_library(), None, &HandTags::default());
         let found = |text| {
             let found = rows.iter().filter(|row| row.matches(text));
             found.map(|row| row.id.as_str()).collect::<Vec<_>>().join(" ")
         };
         assert_eq!(found("LATE walk"), "walk_late walk_late@mirror");
-        assert_eq!(found("left @"), "left@mirror");
+        assert_eq!(
+            found("left @"),
+            "left@mirror right@mirror",
+            "the image of a right turn turns left"
+        );
         assert_eq!(found("").split(' ').count(), rows.len());
         assert_eq!(found("jump"), "");
     }

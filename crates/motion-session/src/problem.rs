@@ -9,9 +9,10 @@ use motion_core::constraint::{
 };
 use motion_core::score::{Weights, Wishes};
 use motion_core::search::Problem;
+use motion_core::tags::whole_tags;
 use motion_core::units::FrameIdx;
 use motion_io::diagnostic::FileError;
-use motion_io::project_file::{self, Character, Constraint, ConstraintKind, Palette, Project};
+use motion_io::project_file::{self, Character, Constraint, ConstraintKind, Project};
 
 use crate::Library;
 use crate::palette::Matcher;
@@ -78,7 +79,7 @@ pub fn problem_of(
     let mut body: Vec<_> = body.into_iter().map(|(id, wish, _)| (id, wish)).collect();
     close_headings(&mut body, &open, &mut left_out);
     let (body_ids, body) = body.into_iter().unzip();
-    let allowed_clips = allowed_clips(project.palette.as_ref(), library, project_path)?;
+    let allowed_clips = allowed_clips(project, library, project_path)?;
     let wishes = Wishes {
         length: character.length.as_ref().and_then(length_wish),
         body,
@@ -232,18 +233,19 @@ fn weights(project: &Project, left_out: &mut Vec<String>) -> Weights {
 
 /// For each clip whether the palette has it.
 fn allowed_clips(
-    palette: Option<&Palette>,
+    project: &Project,
     library: &Library,
     project_path: &Path,
 ) -> Result<Vec<bool>, FileError> {
     let clips = library.clips.clips();
-    let Some(palette) = palette else { return Ok(vec![true; clips.len()]) };
+    let by_hand = project.hand_tags();
+    let Some(palette) = &project.palette else { return Ok(vec![true; clips.len()]) };
     let matcher = Matcher::new(Some(palette)).map_err(|error| {
         let what = format!("the palette has a pattern that is none ({error})");
         FileError::new(project_path, what, "use * for anything and ? for one character")
     })?;
     let allowed: Vec<bool> =
-        clips.iter().map(|clip| matcher.has((clip.id.as_str(), &clip.tags))).collect();
+        clips.iter().map(|clip| matcher.has((&clip.id, &whole_tags(clip, &by_hand)))).collect();
     if !allowed.contains(&true) {
         return Err(FileError::new(
             project_path,

@@ -32,6 +32,7 @@ use crate::skeleton::Skeleton;
 
 pub use hand::{HandTag, HandTags};
 pub use signals::{REFERENCE_LEG_M, Signals, TRAVEL_SPAN_SECS, TURN_SPAN_SECS};
+pub(crate) use signals::{travel_m_s, turn_rad_s};
 pub use span::TagSpan;
 pub use whole::{STATE_SHARE, found_of, whole_tags};
 pub use words::{has_words, mirrored, words};

@@ -2,6 +2,7 @@
 
 mod clip_list;
 mod jobs;
+mod tag_menu;
 mod tags;
 
 use egui::{Align, Button, Layout, RichText, Role, TextEdit, Ui, WidgetInfo};

@@ -6,6 +6,7 @@ use motion_core::units::FrameIdx;
 use motion_session::clip_rows::ClipRow;
 use motion_session::command::Command;
 
+use crate::icons;
 use crate::state::EditorState;
 use crate::theme;
 
@@ -32,7 +33,9 @@ fn menu_ui(ui: &mut Ui, clip: &ClipRow, state: &mut EditorState) {
     for own in &clip.by_hand {
         ui.horizontal(|ui| {
             let name = format!("Take away {}", words(own));
-            let cross = ui.add(Button::new("✕").frame(false)).on_hover_text(name.as_str());
+            let cross = ui
+                .add(Button::new(RichText::new(icons::CLOSE).font(theme::icon())).frame(false))
+                .on_hover_text(name.as_str());
             cross.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
             if cross.clicked() {
                 state.apply(&Command::UntagClip { clip: clip.id.clone(), tag: own.clone() });

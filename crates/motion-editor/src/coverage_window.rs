@@ -90,7 +90,7 @@ fn capture_ui(ui: &mut Ui, list: &[String]) {
     for wish in list {
         let (what, record) = wish.split_once(": ").unwrap_or((wish, ""));
         ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new(what).strong());
+            ui.label(RichText::new(capitalized(what)).strong());
             ui.label(RichText::new(record).color(theme::of(ui).faint));
         });
     }
@@ -99,6 +99,12 @@ fn capture_ui(ui: &mut Ui, list: &[String]) {
             ui.copy_text(list.join("\n"));
         }
     });
+}
+
+fn capitalized(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
 }
 
 /// A table whose cells are the darker the more there is; what is missing is outlined.

@@ -35,9 +35,17 @@ pub struct ClipRow {
 
 impl ClipRow {
     /// Whether every word of a search is somewhere in the id or the tags; all are found by nothing.
+    /// A word with `*` or `?` is a pattern that an id or a tag matches as a whole, as in palettes.
     pub fn matches(&self, search: &str) -> bool {
         let id = self.id.to_lowercase();
-        let has = |word: &str| id.contains(word) || self.tags.iter().any(|tag| tag.contains(word));
+        let tags: Vec<String> = self.tags.iter().map(|tag| tag.to_lowercase()).collect();
+        let has = |word: &str| {
+            let is_it = |text: &String| match word.contains(['*', '?']) {
+                true => is_match(word, text),
+                false => text.contains(word),
+            };
+            is_it(&id) || tags.iter().any(is_it)
+        };
         search.to_lowercase().split_whitespace().all(has)
     }
 }
@@ -79,6 +87,28 @@ pub fn tag_counts(rows: &[ClipRow]) -> Vec<(String, usize)> {
         counts.into_iter().map(|(tag, n)| (tag.to_owned(), n)).collect();
     counts.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
     counts
+}
+
+/// Whether a whole text matches a pattern: `*` is any letters, `?` is one.
+fn is_match(pattern: &str, text: &str) -> bool {
+    let (pattern, text): (Vec<char>, Vec<char>) =
+        (pattern.chars().collect(), text.chars().collect());
+    // Of the pattern so far: which beginnings of the text match it.
+    let mut ends = vec![false; text.len() + 1];
+    ends[0] = true;
+    for letter in pattern {
+        let mut next = vec![false; text.len() + 1];
+        for at in 0..=text.len() {
+            let before = at > 0 && ends[at - 1];
+            next[at] = match letter {
+                '*' => ends[at] || (at > 0 && next[at - 1]),
+                '?' => before,
+                letter => before && text[at - 1] == letter,
+            };
+        }
+        ends = next;
+    }
+    ends[text.len()]
 }
 
 fn subject_of(id: &str) -> Option<String> {
@@ -127,6 +157,9 @@ mod tests {
         );
         assert_eq!(found("").split(' ').count(), rows.len());
         assert_eq!(found("jump"), "");
+        assert_eq!(found("W?lk*"), "walk walk_late walk@mirror walk_late@mirror");
+        assert_eq!(found("*ate"), "walk_late");
+        assert_eq!(found("alk*"), "");
     }
 
     #[test]

@@ -193,9 +193,14 @@ impl CoverageReport {
             ),
             None => "no jump".to_owned(),
         };
+        let support = match heights.highest_support_m {
+            // Floors are within some centimetres of level 0.
+            level if level < 0.05 => "all on the floor".to_owned(),
+            level => format!("stands on things up to {level:.2} m high"),
+        };
         format!(
-            "hips usually at {:.2} m, lowest {:.2} m; {jumps}; stands up to {:.2} m high",
-            heights.usual_hips_m, heights.lowest_hips_m, heights.highest_support_m
+            "hips usually at {:.2} m, lowest {:.2} m; {jumps}; {support}",
+            heights.usual_hips_m, heights.lowest_hips_m
         )
     }
 

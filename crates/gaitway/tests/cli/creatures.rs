@@ -49,7 +49,7 @@ fn build_and_solve(dir: &Dir) -> serde_json::Value {
     gaitway(dir, "library build clips -o lib.gwlib --scale 0.01 --mirror -q").ok();
     let coverage = json(&gaitway(dir, "library coverage lib.gwlib --json").ok().stdout);
     assert_eq!(coverage["tags"], serde_json::json!([]), "no rule is about such a body");
-    assert_eq!(coverage["heights"], serde_json::Value::Null);
+    assert_eq!(coverage["heights"], serde_json::Value::Null, "nor are heights");
     let for_people = ["walk", "run", "jump", "crouch", "stand"];
     for wish in coverage["capture_list"].as_array().expect("a list") {
         let wish = wish.as_str().expect("a sentence");

@@ -22,7 +22,7 @@ fn the_page_says_what_to_record_and_goes_at_escape() {
         window.step();
     }
     window.run_steps(3);
-    for label in ["no run comes to a stand", "Copy list"] {
+    for label in ["No run comes to a stand", "Copy list"] {
         assert!(window.query_by_label_contains(label).is_some(), "{label}");
     }
     let cell = window.get_by_label_contains("walking, straight: ");

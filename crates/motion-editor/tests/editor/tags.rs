@@ -6,6 +6,27 @@ use egui_kittest::kittest::Queryable as _;
 use crate::window::{quiet, solved};
 
 #[test]
+fn what_a_pattern_finds_is_switched_as_one_step() {
+    let Some(mut window) = solved() else { return };
+    quiet(&mut window);
+    window.get_by_role_and_label(Role::TextInput, "Find clips").click();
+    window.run_steps(2);
+    window.event(egui::Event::Text("run*".to_owned()));
+    window.run_steps(3);
+    window.get_by_role_and_label(Role::Button, "Use none of these").click();
+    window.run_steps(3);
+    let is_in = |id: &str, window: &egui_kittest::Harness<'_, motion_editor::app::EditorApp>| {
+        let rows = &window.state().state.clips;
+        rows.iter().find(|row| row.id == id).map(|row| row.is_in_palette)
+    };
+    assert_eq!((is_in("run", &window), is_in("walk", &window)), (Some(false), Some(true)));
+    window.get_by_role_and_label(Role::Button, "Use these").click();
+    window.run_steps(3);
+    assert_eq!(is_in("run", &window), Some(true));
+    assert_eq!(window.state().state.session.document().palette(), None, "all are in use again");
+}
+
+#[test]
 fn a_clip_is_tagged_from_its_line_and_the_tag_is_undone() {
     let Some(mut window) = solved() else { return };
     quiet(&mut window);

@@ -35,16 +35,13 @@ pub struct ClipRow {
 
 impl ClipRow {
     /// Whether every word of a search is somewhere in the id or the tags; all are found by nothing.
-    /// A word with `*` or `?` is a pattern that an id or a tag matches as a whole, as in palettes.
+    /// A word with `*` or `?` is a pattern that the whole id matches, as in palettes.
     pub fn matches(&self, search: &str) -> bool {
         let id = self.id.to_lowercase();
         let tags: Vec<String> = self.tags.iter().map(|tag| tag.to_lowercase()).collect();
-        let has = |word: &str| {
-            let is_it = |text: &String| match word.contains(['*', '?']) {
-                true => is_match(word, text),
-                false => text.contains(word),
-            };
-            is_it(&id) || tags.iter().any(is_it)
+        let has = |word: &str| match word.contains(['*', '?']) {
+            true => is_match(word, &id),
+            false => id.contains(word) || tags.iter().any(|tag| tag.contains(word)),
         };
         search.to_lowercase().split_whitespace().all(has)
     }

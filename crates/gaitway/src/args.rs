@@ -125,8 +125,7 @@ pub(crate) enum Library {
         /// A .gwlib file, or `builtin`
         library: PathBuf,
     },
-    /// Say what the clips can do and what they cannot: speeds, turns, heights, dead ends, and what
-    /// would be worth recording
+    /// Say what the clips can do and what they cannot, and what to record
     #[command(after_help = "Examples:\n  \
         gaitway library coverage clips.gwlib\n  \
         gaitway library coverage builtin --json")]

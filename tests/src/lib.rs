@@ -2,6 +2,7 @@
 #![allow(clippy::print_stderr, reason = "a test that is skipped says so")]
 
 pub mod cli;
+pub mod creature;
 pub mod kept_picture;
 pub mod sources;
 pub mod walker;

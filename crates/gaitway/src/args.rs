@@ -125,6 +125,14 @@ pub(crate) enum Library {
         /// A .gwlib file, or `builtin`
         library: PathBuf,
     },
+    /// Say what the clips can do and what they cannot, and what to record
+    #[command(after_help = "Examples:\n  \
+        gaitway library coverage clips.gwlib\n  \
+        gaitway library coverage builtin --json")]
+    Coverage {
+        /// A .gwlib file, or `builtin`
+        library: PathBuf,
+    },
     /// List every cut from one clip to another: frame left, frame entered, cost
     #[command(after_help = "Example:\n  gaitway library edges clips.gwlib --from walk --to run")]
     Edges {

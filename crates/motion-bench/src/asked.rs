@@ -135,7 +135,13 @@ fn add(wishes: &mut Wishes, constraint: &Constraint, clips: &ClipSet) -> anyhow:
         }
         ConstraintKind::Style { from, to, tag } => {
             let (from, to, tag) = (*from, *to, tag.clone());
-            wishes.styles.push(StyleConstraint { from, to, tag, weight });
+            wishes.styles.push(StyleConstraint {
+                from,
+                to,
+                tag,
+                weight,
+                by_hand: Default::default(),
+            });
         }
         ConstraintKind::Path { from, to, points_m } => {
             let points_m = points_m.iter().copied().map(ground).collect();

@@ -31,7 +31,7 @@ struct Args {
     full: bool,
     /// Only these figures: build, mirrored, load, leaf-edges, candidates, first, alternatives,
     /// score, problems, score1s, versus, candidates-all-kinds, errand, alternatives2s, random,
-    /// rescore, threads, correction, seams, assembly, picture, film, editor
+    /// rescore, threads, correction, seams, assembly, picture, film, tags, editor
     #[arg(long, value_name = "NAME")]
     only: Vec<String>,
     /// Builds the library once and prints what that took; a process of its own has its own peak

@@ -4,6 +4,7 @@ use crate::ground::GroundTrack;
 use crate::ids::ClipId;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
+use crate::tags::{self, TagSpan};
 use crate::units::{Fps, FrameIdx};
 
 /// A motion of the library.
@@ -11,8 +12,10 @@ use crate::units::{Fps, FrameIdx};
 pub struct Clip {
     /// The file's stem; a mirror image has `@mirror` appended. Unique in its set.
     pub id: String,
-    /// Words for what happens in it.
+    /// Words for what happens in it, by its name: they are about the clip as a whole.
     pub tags: Vec<String>,
+    /// What was found to happen in it, and where. Kept whole by [`Clip::found`].
+    pub tag_spans: Vec<TagSpan>,
     /// What the body does.
     pub motion: Motion,
     /// Where it is on the ground.
@@ -20,15 +23,59 @@ pub struct Clip {
 }
 
 impl Clip {
+    /// A clip with the stretches that [`tags::find`] finds in it; `motion` is one of `skeleton`
+    /// with `track` as its own, floors calibrated.
+    pub fn found(
+        skeleton: &Skeleton,
+        id: String,
+        tags: Vec<String>,
+        motion: Motion,
+        track: GroundTrack,
+    ) -> Self {
+        let tag_spans = tags::find(skeleton, &motion, &track);
+        Self { id, tags, tag_spans, motion, track }
+    }
+
+    /// Whether a frame has a tag, small and capital letters alike. `turn` is had by what turns left
+    /// or right.
+    ///
+    /// Where the tag was found anywhere in the clip, the stretches found rule; else the clip's name
+    /// does, for all frames. For many frames ask [`Clip::frames_with_tag`].
+    pub fn has_tag_at(&self, tag: &str, frame: FrameIdx) -> bool {
+        if frame.idx() >= self.n_frames() {
+            return false;
+        }
+        let mut found = self.spans_of(tag).peekable();
+        match found.peek() {
+            Some(_) => found.any(|span| span.has(frame)),
+            None => tags::has_words(tag, self.tags.iter().map(String::as_str)),
+        }
+    }
+
+    /// [`Clip::has_tag_at`] for each frame.
+    pub fn frames_with_tag(&self, tag: &str) -> Vec<bool> {
+        let n_frames = self.n_frames();
+        let mut found = self.spans_of(tag).peekable();
+        if found.peek().is_none() {
+            return vec![tags::has_words(tag, self.tags.iter().map(String::as_str)); n_frames];
+        }
+        let mut mask = vec![false; n_frames];
+        for span in found {
+            let to = span.to.idx().min(n_frames.saturating_sub(1));
+            mask[span.from.idx().min(to)..=to].fill(true);
+        }
+        mask
+    }
+
+    /// The found stretches whose tag is what is asked for.
+    fn spans_of(&self, tag: &str) -> impl Iterator<Item = &TagSpan> {
+        self.tag_spans.iter().filter(move |span| tags::has_words(tag, [span.tag.as_str()]))
+    }
+
     /// How many frames the clip has.
     #[inline]
     pub fn n_frames(&self) -> usize {
         self.motion.n_frames()
-    }
-
-    /// Whether what is done at `frame` is called `tag`; case does not matter.
-    pub fn has_tag_at(&self, tag: &str, _frame: FrameIdx) -> bool {
-        self.tags.iter().any(|own| own.eq_ignore_ascii_case(tag))
     }
 }
 

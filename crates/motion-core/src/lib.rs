@@ -16,6 +16,7 @@ pub mod cancel;
 pub mod clip;
 pub mod constraint;
 pub mod contacts;
+pub mod coverage;
 pub mod floor;
 pub mod graph;
 pub mod ground;
@@ -32,6 +33,7 @@ pub mod search;
 pub mod similarity;
 pub mod skeleton;
 pub mod support_level;
+pub mod tags;
 pub mod units;
 
 #[cfg(test)]

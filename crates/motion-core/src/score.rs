@@ -254,10 +254,14 @@ impl LaidOut<'_> {
     fn style_without(&self, wish: &StyleConstraint) -> f32 {
         let to = (wish.to + 1).min(self.n_frames());
         let shown = self.shown.get(wish.from as usize..to as usize).unwrap_or_default();
-        let without = shown
-            .iter()
-            .filter(|(clip, frame)| !self.clips.clip(*clip).has_tag_at(&wish.tag, *frame))
-            .count();
+        // Runs of one clip, whose tags are looked up once.
+        let runs = shown.chunk_by(|a, b| a.0 == b.0);
+        let without: usize = runs
+            .map(|run| {
+                let has = wish.frames_with_tag(self.clips.clip(run[0].0));
+                run.iter().filter(|(_, frame)| !has[frame.idx()]).count()
+            })
+            .sum();
         without as f32 / wish.n_frames() as f32
     }
 

@@ -113,7 +113,7 @@ pub(crate) fn set(mut motions: Vec<Motion>) -> ClipSet {
         .into_iter()
         .zip(tracks)
         .enumerate()
-        .map(|(idx, (motion, track))| Clip { id: idx.to_string(), tags: vec![], motion, track })
+        .map(|(idx, (motion, track))| Clip::found(&legs(), idx.to_string(), vec![], motion, track))
         .collect();
     ClipSet::new(legs(), Fps::THIRTY, clips).expect("valid by construction")
 }

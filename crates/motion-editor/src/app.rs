@@ -8,6 +8,7 @@ use motion_session::preferences::UI_SCALES;
 use motion_session::session::SessionError;
 
 use crate::command_palette::CommandPalette;
+use crate::coverage_window::CoverageWindow;
 use crate::dialogs::Answers;
 use crate::export::ExportDialog;
 use crate::files::{FileFlow, Next};
@@ -42,6 +43,7 @@ pub struct EditorApp {
     guide: Guide,
     settings_are_open: bool,
     log_is_open: bool,
+    coverage: CoverageWindow,
     /// Taking motions out.
     pub export: ExportDialog,
     /// Opening and saving.
@@ -74,6 +76,7 @@ impl EditorApp {
             guide: Guide::default(),
             settings_are_open: false,
             log_is_open: false,
+            coverage: CoverageWindow::default(),
             export: ExportDialog::default(),
             files,
         })
@@ -104,6 +107,7 @@ impl EditorApp {
                 UiCommand::Export => self.export.open(),
                 UiCommand::ExportAgain => self.export.repeat(&mut self.state),
                 UiCommand::Settings => self.settings_are_open = !self.settings_are_open,
+                UiCommand::Coverage => self.coverage.is_open = !self.coverage.is_open,
                 UiCommand::Log => self.log_is_open = !self.log_is_open,
                 UiCommand::FullScreen => {
                     let is_full = ctx.input(|input| input.viewport().fullscreen.unwrap_or(false));
@@ -122,7 +126,12 @@ impl EditorApp {
 
     /// What lies on top gets Escape before anything else.
     fn close_on_escape(&mut self, ctx: &egui::Context) {
-        let pages = [&mut self.sheet.is_open, &mut self.settings_are_open, &mut self.log_is_open];
+        let pages = [
+            &mut self.sheet.is_open,
+            &mut self.settings_are_open,
+            &mut self.log_is_open,
+            &mut self.coverage.is_open,
+        ];
         let Some(page) = pages.into_iter().find(|is_open| **is_open) else { return };
         let none = egui::Modifiers::NONE;
         if ctx.input_mut(|input| input.consume_key(none, egui::Key::Escape)) {
@@ -266,6 +275,7 @@ impl eframe::App for EditorApp {
             self.state.refresh();
         }
         log_window_ui(ui, &self.state.notices, &mut self.log_is_open);
+        self.coverage.ui(ui, &self.state);
         self.export.ui(ui, &mut self.state, &mut self.files);
         self.files.ui(ui, &mut self.state);
         self.wake_again(&ctx, dt_secs);

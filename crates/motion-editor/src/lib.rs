@@ -27,6 +27,7 @@ pub mod take_card;
 pub mod ui_command;
 
 pub mod command_palette;
+pub mod coverage_window;
 pub mod dialogs;
 pub mod export;
 pub mod files;

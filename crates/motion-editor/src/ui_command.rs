@@ -104,6 +104,7 @@ pub enum UiCommand {
     FullScreen,
     Settings,
     Log,
+    Coverage,
     // Takes.
     /// From 1 to 9.
     ShowTake(u8),
@@ -228,7 +229,7 @@ pub fn menus() -> Vec<Menu> {
                 vec![C::Curves, C::TimeUnit, C::NextCharacter],
                 vec![C::NextPanel, C::PreviousPanel],
                 vec![C::Theme, C::Navigation, C::ReducedMotion, C::FullScreen],
-                vec![C::Settings, C::Log],
+                vec![C::Settings, C::Coverage, C::Log],
             ],
         ),
         (

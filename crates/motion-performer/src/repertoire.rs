@@ -73,6 +73,7 @@ pub enum BuiltinError {
 ///
 /// Always the same; nothing is read, nothing is random.
 pub fn builtin_clips() -> Result<ClipSet, BuiltinError> {
+    let skeleton = body::skeleton()?;
     let clips = entries()
         .into_iter()
         .map(|entry| {
@@ -83,10 +84,10 @@ pub fn builtin_clips() -> Result<ClipSet, BuiltinError> {
             let level_m = vec![0.0; motion.n_frames()];
             let track = GroundTrack::new(&motion, &level_m, contacts);
             let tags = entry.tags.iter().map(|&tag| tag.to_owned()).collect();
-            Ok(Clip { id: entry.id, tags, motion, track })
+            Ok(Clip::found(&skeleton, entry.id, tags, motion, track))
         })
         .collect::<Result<Vec<Clip>, BuiltinError>>()?;
-    Ok(ClipSet::new(body::skeleton()?, Fps::THIRTY, clips)?)
+    Ok(ClipSet::new(skeleton, Fps::THIRTY, clips)?)
 }
 
 impl Entry {

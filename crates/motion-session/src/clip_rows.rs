@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use motion_core::skeleton::mirror::MIRROR_SUFFIX;
+use motion_core::tags::{HandTag, HandTags, TagSpan, whole_tags};
 use motion_io::project_file::Palette;
 
 use crate::live::ReadyLibrary;
@@ -17,8 +18,12 @@ pub struct ClipRow {
     pub n_frames: usize,
     /// How long it is, seconds.
     pub secs: f64,
-    /// Words for what happens in it.
+    /// Words for what happens in it: by its name, found in it, given by hand.
     pub tags: Vec<String>,
+    /// Those that it was given by hand itself.
+    pub by_hand: Vec<HandTag>,
+    /// Where what was found in it happens.
+    pub spans: Vec<TagSpan>,
     /// The performer, where the id says it as capture databases do: `16` of `16_40`. A library does
     /// not know the folders that its clips came from.
     pub subject: Option<String>,
@@ -30,26 +35,41 @@ pub struct ClipRow {
 
 impl ClipRow {
     /// Whether every word of a search is somewhere in the id or the tags; all are found by nothing.
+    /// A word with `*` or `?` is a pattern that the whole id matches, as in palettes.
     pub fn matches(&self, search: &str) -> bool {
         let id = self.id.to_lowercase();
-        let has = |word: &str| id.contains(word) || self.tags.iter().any(|tag| tag.contains(word));
+        let tags: Vec<String> = self.tags.iter().map(|tag| tag.to_lowercase()).collect();
+        let has = |word: &str| match word.contains(['*', '?']) {
+            true => is_match(word, &id),
+            false => id.contains(word) || tags.iter().any(|tag| tag.contains(word)),
+        };
         search.to_lowercase().split_whitespace().all(has)
     }
 }
 
 /// A row for every clip, in the library's order. With a palette that has a pattern that is none, no
 /// clip is in it, as the search refuses it.
-pub fn clip_rows(ready: &ReadyLibrary, palette: Option<&Palette>) -> Vec<ClipRow> {
+pub fn clip_rows(
+    ready: &ReadyLibrary,
+    palette: Option<&Palette>,
+    by_hand: &HandTags,
+) -> Vec<ClipRow> {
     let matcher = Matcher::new(palette).ok();
     let fps = ready.library.clips.fps();
-    let row = |clip: &motion_core::clip::Clip| ClipRow {
-        id: clip.id.clone(),
-        n_frames: clip.n_frames(),
-        secs: fps.duration_secs(clip.n_frames()),
-        tags: clip.tags.clone(),
-        subject: subject_of(&clip.id),
-        is_mirror: clip.id.ends_with(MIRROR_SUFFIX),
-        is_in_palette: matcher.as_ref().is_some_and(|matcher| matcher.has((&clip.id, &clip.tags))),
+    let row = |clip: &motion_core::clip::Clip| {
+        let tags = whole_tags(clip, by_hand);
+        let has = |matcher: &Matcher<'_>| matcher.has((&clip.id, &tags));
+        ClipRow {
+            id: clip.id.clone(),
+            n_frames: clip.n_frames(),
+            secs: fps.duration_secs(clip.n_frames()),
+            is_in_palette: matcher.as_ref().is_some_and(has),
+            tags,
+            by_hand: by_hand.of(&clip.id).to_vec(),
+            spans: clip.tag_spans.clone(),
+            subject: subject_of(&clip.id),
+            is_mirror: clip.id.ends_with(MIRROR_SUFFIX),
+        }
     };
     ready.library.clips.clips().iter().map(row).collect()
 }
@@ -64,6 +84,28 @@ pub fn tag_counts(rows: &[ClipRow]) -> Vec<(String, usize)> {
         counts.into_iter().map(|(tag, n)| (tag.to_owned(), n)).collect();
     counts.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
     counts
+}
+
+/// Whether a whole text matches a pattern: `*` is any letters, `?` is one.
+fn is_match(pattern: &str, text: &str) -> bool {
+    let (pattern, text): (Vec<char>, Vec<char>) =
+        (pattern.chars().collect(), text.chars().collect());
+    // Of the pattern so far: which beginnings of the text match it.
+    let mut ends = vec![false; text.len() + 1];
+    ends[0] = true;
+    for letter in pattern {
+        let mut next = vec![false; text.len() + 1];
+        for at in 0..=text.len() {
+            let before = at > 0 && ends[at - 1];
+            next[at] = match letter {
+                '*' => ends[at] || (at > 0 && next[at - 1]),
+                '?' => before,
+                letter => before && text[at - 1] == letter,
+            };
+        }
+        ends = next;
+    }
+    ends[text.len()]
 }
 
 fn subject_of(id: &str) -> Option<String> {
@@ -82,8 +124,10 @@ mod tests {
     #[test]
     fn rows_say_what_a_list_needs() {
         let ready = ready_library();
-        let palette = palette_with(None, &tagged_clips(&ready), "walk", false);
-        let rows = clip_rows(&ready, palette.as_ref());
+        let by_hand = HandTags::default();
+        let all = clip_rows(&ready, None, &by_hand);
+        let palette = palette_with(None, &tagged_clips(&all), "walk", false);
+        let rows = clip_rows(&ready, palette.as_ref(), &by_hand);
         let out: Vec<&str> =
             rows.iter().filter(|row| !row.is_in_palette).map(|row| row.id.as_str()).collect();
         assert_eq!(out, ["walk", "walk@mirror"]);
@@ -92,20 +136,27 @@ mod tests {
         assert!((walk.secs - 89.0 / 30.0).abs() < 1e-9);
         assert_eq!(walk.tags, ["walk"]);
         assert!(rows.iter().any(|row| row.is_mirror));
-        assert_eq!(tag_counts(&rows)[0], ("walk".to_owned(), 4));
+        assert_eq!(tag_counts(&rows)[0], ("walk".to_owned(), 10));
     }
 
     #[test]
     fn searching_is_by_words_in_any_order() {
-        let rows = clip_rows(&ready_library(), None);
+        let rows = clip_rows(&ready_library(), None, &HandTags::default());
         let found = |text| {
             let found = rows.iter().filter(|row| row.matches(text));
             found.map(|row| row.id.as_str()).collect::<Vec<_>>().join(" ")
         };
         assert_eq!(found("LATE walk"), "walk_late walk_late@mirror");
-        assert_eq!(found("left @"), "left@mirror");
+        assert_eq!(
+            found("left @"),
+            "left@mirror right@mirror",
+            "the image of a right turn turns left"
+        );
         assert_eq!(found("").split(' ').count(), rows.len());
         assert_eq!(found("jump"), "");
+        assert_eq!(found("W?lk*"), "walk walk_late walk@mirror walk_late@mirror");
+        assert_eq!(found("*ate"), "walk_late");
+        assert_eq!(found("alk*"), "");
     }
 
     #[test]

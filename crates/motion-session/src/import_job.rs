@@ -203,7 +203,7 @@ fn stood_on_the_floor(
     let mut hashes: Vec<ContentHash> = present.iter().map(|(_, hash)| *hash).collect();
     let stood = motions.into_iter().zip(tracks).skip(n_present);
     for ((id, tags, hash), (motion, track)) in names.into_iter().zip(stood) {
-        clips.push(Clip { id, tags, motion, track });
+        clips.push(Clip::found(skeleton, id, tags, motion, track));
         hashes.push(hash);
     }
     (clips, hashes)

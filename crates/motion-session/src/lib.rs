@@ -18,6 +18,8 @@ pub mod library_source;
 
 pub mod budget;
 pub mod clip_rows;
+pub mod coverage_job;
+pub mod coverage_report;
 pub mod eta;
 pub mod finish;
 pub mod hand_layer;

@@ -1,4 +1,4 @@
-//! `gaitway library build`, `info` and `edges`.
+//! `gaitway library build`, `info` and `edges`; `coverage` is in a file of its own.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -11,6 +11,7 @@ use motion_session::library_info::{BuildTimes, LibraryInfo};
 use motion_session::library_job::{self, GraphChoices};
 use motion_session::library_source::{self, LibraryChoice};
 
+use super::coverage;
 use crate::args;
 use crate::interrupt::cancel_on_interrupt;
 use crate::output::{Console, Failure};
@@ -24,6 +25,7 @@ pub(crate) fn run(console: &Console, command: &args::Library) -> Result<(), Fail
             let info = LibraryInfo::new(&open(console, library)?, None);
             console.answer(&info, || info.text(console.is_verbose()))
         }
+        args::Library::Coverage { library } => coverage::run(console, library),
         args::Library::Edges { library: path, from, to } => {
             let library = open(console, path)?;
             let edges = library.edges(from, to).map_err(|missing| {
@@ -45,7 +47,7 @@ pub(crate) fn run(console: &Console, command: &args::Library) -> Result<(), Fail
     }
 }
 
-fn open(console: &Console, path: &std::path::Path) -> Result<Library, Failure> {
+pub(super) fn open(console: &Console, path: &std::path::Path) -> Result<Library, Failure> {
     let bar = console.bar();
     Ok(library_source::open(&LibraryChoice::typed(path), &|what, share| bar.set(what, share))?)
 }

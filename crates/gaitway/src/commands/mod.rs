@@ -3,6 +3,7 @@
 pub(crate) mod alone;
 mod completions;
 mod convert;
+mod coverage;
 #[cfg(feature = "editor")]
 mod edit;
 mod library;

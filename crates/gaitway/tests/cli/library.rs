@@ -1,4 +1,4 @@
-//! `library build`, `info` and `edges` on clips that the tests make.
+//! `library build`, `info`, `coverage` and `edges` on clips that the tests make.
 
 use std::collections::BTreeSet;
 
@@ -55,6 +55,28 @@ fn edges_are_cheaper_than_tau_and_never_within_the_minimum_jump() {
     let document =
         json(&gaitway(&dir, "library edges small.gwlib --from walk --to walk --json").stdout);
     assert_eq!(document.as_array().map(Vec::len), Some(seen.len()), "the same as JSON");
+}
+
+#[test]
+fn coverage_says_what_is_missing() {
+    let dir = dir_with_library();
+    let text = gaitway(&dir, "library coverage small.gwlib").ok().stdout;
+    for part in ["no run: record 6–8 takes", "sharp left", "hips usually at", "to record"] {
+        assert!(text.contains(part), "{part:?} is not in {text}");
+    }
+    assert!(!text.contains("no left turn while walking"), "{text}");
+    let report = json(&gaitway(&dir, "library coverage small.gwlib --json").ok().stdout);
+    let secs = |tag: &str| {
+        let tags = report["tags"].as_array().expect("a list").iter();
+        tags.filter(|t| t["tag"] == tag).find_map(|t| t["seconds"].as_f64()).unwrap_or(-1.0)
+    };
+    assert!(secs("walk") > 11.0 && secs("run") == 0.0, "{}", report["tags"]);
+    assert!(secs("turn left") > 1.0 && secs("turn right") > 1.0, "{}", report["tags"]);
+    let parts: u64 =
+        report["parts"].as_array().expect("a list").iter().filter_map(|n| n.as_u64()).sum();
+    assert_eq!(parts, 5, "each clip is in a part");
+    gaitway(&dir, "library coverage none.gwlib")
+        .refused("gaitway: none.gwlib: there is no such file; check the path");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::{dir_with_library, gaitway, json};
 /// Whether this machine can draw; says so where it cannot. Where the tests' environment promises an
 /// adapter, its absence is a failure.
 #[expect(clippy::print_stderr, reason = "a test that is skipped says so")]
-fn can_draw() -> bool {
+pub(crate) fn can_draw() -> bool {
     static CAN: OnceLock<bool> = OnceLock::new();
     let can = *CAN.get_or_init(|| {
         let dir = dir_with_walk();

@@ -35,6 +35,7 @@ fn the_help_of_every_command() {
         "library",
         "library build",
         "library info",
+        "library coverage",
         "library edges",
         "solve",
         "convert",

@@ -101,7 +101,13 @@ fn with_every_kind(
     let points_m = vec![Vec2::ZERO, Vec2::new(0.5, 3.0), Vec2::new(0.0, 6.0)];
     wishes.follows.push(FollowConstraint::new(0, 2 * third, points_m));
     let tag = "walk".to_owned();
-    wishes.styles.push(StyleConstraint { from: third, to: 2 * third, tag, weight: 1.0 });
+    wishes.styles.push(StyleConstraint {
+        from: third,
+        to: 2 * third,
+        tag,
+        weight: 1.0,
+        by_hand: Default::default(),
+    });
     wishes.obstacles.push(Obstacle::Cylinder {
         center_m: Vec3::new(0.8, 1.0, 4.0),
         radius_m: 0.3,

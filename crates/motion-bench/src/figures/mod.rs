@@ -23,6 +23,7 @@ mod runs;
 mod score;
 mod score1s;
 mod seams;
+mod tags;
 mod threads;
 mod trials;
 mod versus;
@@ -68,6 +69,7 @@ pub(crate) const FIGURES: &[Figure] = &[
     Figure { name: "assembly", measure: assembly::measure },
     Figure { name: "picture", measure: picture::measure },
     Figure { name: "film", measure: film::measure },
+    Figure { name: "tags", measure: tags::measure },
     Figure { name: "editor", measure: editor::measure },
 ];
 

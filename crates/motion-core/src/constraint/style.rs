@@ -1,5 +1,8 @@
 //! Tagged clips preferred over a stretch of time. Soft.
 
+use crate::clip::Clip;
+use crate::tags::HandTags;
+
 /// One tolerance: this share of the frames without the tag.
 pub const TOLERANCE_SHARE: f32 = 0.10;
 
@@ -14,9 +17,16 @@ pub struct StyleConstraint {
     pub tag: String,
     /// Factor of the share of frames without the tag, in tolerances.
     pub weight: f32,
+    /// Tags given by hand, which clips have beside those that were found in them.
+    pub by_hand: HandTags,
 }
 
 impl StyleConstraint {
+    /// For each frame of a clip whether it has the tag.
+    pub fn frames_with_tag(&self, clip: &Clip) -> Vec<bool> {
+        self.by_hand.frames_with_tag(clip, &self.tag)
+    }
+
     /// How many frames it speaks of.
     pub fn n_frames(&self) -> u32 {
         self.to - self.from + 1

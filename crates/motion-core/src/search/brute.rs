@@ -26,6 +26,7 @@ use crate::constraint::{
 use crate::ids::{ClipId, JointIdx};
 use crate::path::Piece;
 use crate::score::{Wishes, judge};
+use crate::tags::HandTags;
 use crate::testing::wander;
 use crate::units::{Fps, FrameIdx};
 
@@ -69,7 +70,13 @@ fn of_every_kind(first: u32) -> Wishes {
     wishes.body[1].tolerance = Tolerance { position_m: 0.1, heading_rad: 0.5, frames: 5.0 };
     wishes.body[2].tolerance.heading_rad = f32::INFINITY;
     wishes.joints = vec![joint];
-    wishes.styles = vec![StyleConstraint { from: 30, to: 100, tag: "EVEN".into(), weight: 0.5 }];
+    wishes.styles = vec![StyleConstraint {
+        from: 30,
+        to: 100,
+        tag: "EVEN".into(),
+        weight: 0.5,
+        by_hand: HandTags::default(),
+    }];
     wishes.follows = vec![FollowConstraint {
         from: 40,
         to: 145,

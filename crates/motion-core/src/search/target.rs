@@ -139,10 +139,8 @@ impl Target {
                 .iter()
                 .map(|clip| {
                     let mut sums = vec![0u32];
-                    for frame in 0..clip.n_frames() {
-                        let frame_idx = crate::units::FrameIdx::from_idx(frame);
-                        let lacks = !clip.has_tag_at(&style.tag, frame_idx);
-                        sums.push(sums[frame] + u32::from(lacks));
+                    for (frame, has) in style.frames_with_tag(clip).into_iter().enumerate() {
+                        sums.push(sums[frame] + u32::from(!has));
                     }
                     sums
                 })

@@ -14,6 +14,7 @@ use crate::ids::JointIdx;
 use crate::motion::Motion;
 use crate::planar::PlanarTransform;
 use crate::rotation;
+use crate::tags;
 
 /// What a mirrored clip's id ends in.
 pub const MIRROR_SUFFIX: &str = "@mirror";
@@ -105,7 +106,8 @@ impl MirrorMap {
         image
     }
 
-    /// The clip in the mirror, called `ID@mirror`; the image of an image is the clip again.
+    /// The clip in the mirror, called `ID@mirror`; the image of an image is the clip again. Where
+    /// its tags say left, those of the image say right.
     #[must_use]
     pub fn clip(&self, clip: &Clip) -> Clip {
         let id = match clip.id.strip_suffix(MIRROR_SUFFIX) {
@@ -114,7 +116,8 @@ impl MirrorMap {
         };
         Clip {
             id,
-            tags: clip.tags.clone(),
+            tags: clip.tags.iter().map(|tag| tags::mirrored(tag)).collect(),
+            tag_spans: tags::mirrored_spans(&clip.tag_spans),
             motion: self.motion(&clip.motion),
             track: track(&clip.track),
         }
@@ -277,7 +280,13 @@ mod tests {
         let motion = Motion::new(Fps::THIRTY, 6, vec![Vec3::Y; 2], vec![Quat::IDENTITY; 12])
             .expect("valid by construction");
         let track = GroundTrack::new(&motion, &[0.0; 2], vec![Contacts::default(); 2]);
-        let clip = Clip { id: "16_15".into(), tags: vec!["walk".into()], motion, track };
+        let clip = Clip {
+            id: "16_15".into(),
+            tags: vec!["walk".into()],
+            tag_spans: vec![],
+            motion,
+            track,
+        };
         let map = MirrorMap::new(&body());
         let image = map.clip(&clip);
         assert_eq!(image.id, "16_15@mirror");

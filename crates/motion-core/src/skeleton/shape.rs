@@ -4,7 +4,8 @@
 //!
 //! * Without any named leg, a person is looked for: two like chains (legs) at a joint that also
 //!   carries a trunk, on which two like chains (arms) sit and, between them, a neck. Which side is
-//!   left is said by names, else by where the feet point.
+//!   left is said by names, else by where the feet point. A trunk that lies across the legs at rest
+//!   is that of a dog.
 //! * Hips that do not carry both thighs are no hips: the joint that carries thighs and arms is.
 //! * Thighs that begin at one point are bones of the pelvis; where only one joint of the leg is
 //!   named below them, that is the thigh.
@@ -19,6 +20,10 @@ use crate::ids::JointIdx;
 
 /// Two chains are like each other where their bones differ by less than this share, on average.
 const LIKE_SHARE: f32 = 0.12;
+
+/// A trunk goes away from where the legs go by more than this, radians: 105 degrees. What has its
+/// trunk across its legs goes on four of them.
+const UPRIGHT_RAD: f32 = 1.83;
 
 /// Arms reach at least this share of what legs reach.
 const MIN_ARM_SHARE: f32 = 0.3;
@@ -130,6 +135,11 @@ impl<'a> Tree<'a> {
             });
             let (chest, arms) = chest?;
             let up = self.positions_m[chest] - self.positions_m[hips];
+            let down =
+                |leg: &[usize]| self.positions_m[leg[leg.len() - 1]] - self.positions_m[leg[0]];
+            if legs.iter().all(|leg| up.angle_between(down(leg)) < UPRIGHT_RAD) {
+                return None;
+            }
             let neck = self.children[chest].iter().copied();
             let neck = neck.filter(|&child| arms.iter().all(|arm| arm[0] != child));
             let height = |child: &usize| {

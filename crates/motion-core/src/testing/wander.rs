@@ -57,7 +57,7 @@ pub(crate) fn clips(n_clips: usize, n_frames: usize, climbs: bool, seed: u64) ->
                 .map(|frame| Contacts { left: frame % 20 < 12, right: frame % 20 >= 10 })
                 .collect();
             let track = GroundTrack::new(&motion, &levels, contacts);
-            Clip { id: format!("walk_{number}"), tags: vec![], motion, track }
+            Clip::found(&skeleton, format!("walk_{number}"), vec![], motion, track)
         })
         .collect();
     ClipSet::new(skeleton, Fps::THIRTY, clips).expect("a valid set")

@@ -24,6 +24,7 @@ pub use preview::ClipPreview;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use motion_core::tags::HandTags;
 use motion_session::clip_rows::{ClipRow, clip_rows};
 use motion_session::document::{CharacterIdx, TakeId};
 use motion_session::live::{ReadyLibrary, SearchState, Wake};
@@ -87,7 +88,7 @@ pub struct EditorState {
     /// The library's clips.
     pub clips: Vec<ClipRow>,
     /// What the clips were listed for.
-    clips_of: Option<(Option<Palette>, ReadyLibrary)>,
+    clips_of: Option<(Option<Palette>, HandTags, ReadyLibrary)>,
     /// The clip that is played in the view because the pointer rests on it.
     pub preview: Option<ClipPreview>,
     /// Everybody in the take that is shown, with what is asked of them.
@@ -278,13 +279,14 @@ impl EditorState {
     /// Lists the clips anew where library or palette are others than before.
     fn list_clips(&mut self) {
         let Some(library) = self.session.library() else { return };
-        let palette = self.session.document().palette();
-        let is_known = self.clips_of.as_ref().is_some_and(|(known_palette, known)| {
-            known.is(library) && known_palette.as_ref() == palette
+        let document = self.session.document();
+        let (palette, by_hand) = (document.palette(), document.hand_tags());
+        let is_known = self.clips_of.as_ref().is_some_and(|(known_palette, tags, known)| {
+            known.is(library) && known_palette.as_ref() == palette && *tags == by_hand
         });
         if !is_known {
-            self.clips = clip_rows(library, palette);
-            self.clips_of = Some((palette.cloned(), library.clone()));
+            self.clips = clip_rows(library, palette, &by_hand);
+            self.clips_of = Some((palette.cloned(), by_hand, library.clone()));
         }
     }
 

@@ -147,6 +147,7 @@ impl UiCommand {
             Self::Navigation => Vec::new(),
             Self::FullScreen => vec![bare(Key::F11)],
             Self::Settings => vec![ctrl(Key::Comma)],
+            Self::Coverage => Vec::new(),
             Self::Log => vec![ctrl_shift(Key::L)],
 
             Self::ShowTake(n) => {

@@ -195,6 +195,10 @@ impl UiCommand {
             ),
             Self::FullScreen => ("Full screen", "Fills the screen, or no longer does"),
             Self::Settings => ("Settings…", "Colours, mouse, sizes"),
+            Self::Coverage => (
+                "Coverage",
+                "What the library can do and what it cannot, and what would be worth recording",
+            ),
             Self::Log => ("Log", "Everything that was said"),
 
             Self::ShowTake(_) => ("Show take", "Shows another motion under the same constraints"),

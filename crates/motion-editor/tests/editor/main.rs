@@ -3,11 +3,13 @@
 
 mod author;
 mod by_hand;
+mod coverage;
 mod device_loss;
 mod files;
 mod look;
 mod path_dialog;
 mod screens;
+mod tags;
 mod takes;
 mod timeline;
 mod timeline_cost;

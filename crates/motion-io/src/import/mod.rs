@@ -250,7 +250,9 @@ impl Imported {
             .into_iter()
             .zip(motions)
             .zip(calibration.tracks.iter().cloned())
-            .map(|(((id, tags), motion), track)| Clip { id, tags, motion, track })
+            .map(|(((id, tags), motion), track)| {
+                Clip::found(&self.skeleton, id, tags, motion, track)
+            })
             .collect();
         Ok((ClipSet::new(self.skeleton, self.fps, clips)?, calibration))
     }

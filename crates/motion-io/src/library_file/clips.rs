@@ -194,7 +194,8 @@ fn read_clip(
     let motion =
         Motion::new(fps, n_joints, positions, rotations).or(Err(Fault::Value("motion")))?;
     let track = GroundTrack { world_from_torso, contacts };
-    Ok(Clip { id: facts.id.clone(), tags: facts.tags.clone(), motion, track })
+    // Found anew, so that a better rule serves libraries that are there already.
+    Ok(Clip::found(skeleton, facts.id.clone(), facts.tags.clone(), motion, track))
 }
 
 fn write_vec3(out: &mut ByteWriter, v: Vec3) {

@@ -9,7 +9,7 @@ use super::model::{
     Character, Hashes, Interaction, Length, LengthMode, Member, Obstacle, Palette, Placement,
     Project, Search, Shape,
 };
-use super::{FORMAT_VERSION, names};
+use super::{FORMAT_VERSION, names, tags};
 use crate::diagnostic::{FileError, quoted};
 use crate::json::{Node, Object};
 use crate::limits::{
@@ -56,6 +56,7 @@ pub(super) fn decode_project(root: Node<'_>) -> Result<Project, FileError> {
     };
     let hashes = object.get("hashes").map(decode_hashes).transpose()?;
     let palette = object.get("palette").map(decode_palette).transpose()?;
+    let tags = object.get("tags").map(tags::decode_tags).transpose()?.unwrap_or_default();
     let node = object.require("characters", "[{\"name\": \"A\", \"constraints\": []}]")?;
     let characters = decode_characters(&node)?;
     let interactions = match object.get("interactions") {
@@ -77,6 +78,7 @@ pub(super) fn decode_project(root: Node<'_>) -> Result<Project, FileError> {
         library,
         hashes,
         palette,
+        tags,
         characters,
         interactions,
         obstacles,

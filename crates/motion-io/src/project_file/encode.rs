@@ -7,6 +7,7 @@ use super::model::{
     Character, Constraint, ConstraintKind, Extra, Hashes, Interaction, Length, LengthMode,
     Obstacle, Palette, Placement, Project, Search, Shape, Tolerance,
 };
+use super::tags::encode_tags;
 
 /// An object under construction.
 #[derive(Default)]
@@ -46,6 +47,9 @@ pub(super) fn encode_project(project: &Project) -> Value {
     members.put("library", project.library.as_str());
     members.put_some("hashes", project.hashes.as_ref().map(encode_hashes));
     members.put_some("palette", project.palette.as_ref().map(encode_palette));
+    if !project.tags.is_empty() {
+        members.put("tags", encode_tags(&project.tags));
+    }
     members.put("characters", project.characters.iter().map(encode_character).collect::<Vec<_>>());
     members.put_list("interactions", &project.interactions, encode_interaction);
     members.put_list("obstacles", &project.obstacles, encode_obstacle);

@@ -11,6 +11,7 @@ mod decode;
 mod encode;
 mod model;
 mod names;
+mod tags;
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -23,7 +24,7 @@ use crate::read_file::read_file;
 
 pub use model::{
     Character, Constraint, ConstraintKind, Extra, Hashes, Interaction, Length, LengthMode,
-    LockedPiece, Member, Obstacle, Palette, Placement, Project, Search, Shape, Tolerance,
+    LockedPiece, Member, Obstacle, Palette, Placement, Project, Search, Shape, TagEntry, Tolerance,
 };
 pub use names::fault_as_file_name;
 

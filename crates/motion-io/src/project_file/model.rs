@@ -2,6 +2,7 @@
 //!
 //! Every object has `extra`: the keys that this version does not know, kept for saving.
 
+use motion_core::tags::{HandTag, HandTags};
 use serde_json::{Map, Value};
 
 /// The keys of an object that this version does not know, in the file's order.
@@ -22,6 +23,8 @@ pub struct Project {
     pub hashes: Option<Hashes>,
     /// Which clips may be used; all where left out.
     pub palette: Option<Palette>,
+    /// Tags that a person gave to clips.
+    pub tags: Vec<TagEntry>,
     /// At least one.
     pub characters: Vec<Character>,
     /// Where characters meet.
@@ -58,6 +61,27 @@ pub struct Palette {
     pub tags: Vec<String>,
     /// Unknown keys.
     pub extra: Extra,
+}
+
+/// A tag that a person gave to a clip. In the file a text alone is about the whole clip, an object
+/// has `tag`, `from` and `to`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TagEntry {
+    /// The clip's id.
+    pub clip: String,
+    /// What it was given.
+    pub tag: HandTag,
+    /// Unknown keys.
+    pub extra: Extra,
+}
+
+impl Project {
+    /// The tags given by hand, as clips are asked for them.
+    pub fn hand_tags(&self) -> HandTags {
+        let mut tags = HandTags::default();
+        self.tags.iter().for_each(|entry| tags.give(&entry.clip, entry.tag.clone()));
+        tags
+    }
 }
 
 /// A person to be animated.

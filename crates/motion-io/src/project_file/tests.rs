@@ -392,6 +392,36 @@ fn libraries_are_found_beside_the_project() {
 }
 
 #[test]
+fn tags_by_hand_are_read_and_written_as_they_stand() {
+    let project = |tags: &str| {
+        read_text(format!(
+            "{{\"gaitway\": 1, \"tags\": {tags}, \"characters\": [{{\"name\": \"A\"}}]}}"
+        ))
+    };
+    let tags =
+        "{\"16_15\": [\"tired\", {\"tag\": \"limp\", \"from\": 10, \"to\": 40, \"mood\": 1}]}";
+    let read = project(tags).unwrap();
+    let given = read.hand_tags();
+    assert_eq!(given.of("16_15").len(), 2);
+    assert!(given.of("16_15")[1].has(motion_core::units::FrameIdx(40)));
+    let saved = write(&read);
+    assert_eq!(read_text(&saved).unwrap(), read);
+    assert!(saved.contains("\"mood\": 1"), "{saved}");
+    for (bad, expected) in [
+        ("[]", "tags is not an object"),
+        ("{\"a\": [\" \"]}", "tags.a[0] is empty"),
+        (
+            "{\"a\": [{\"tag\": \"x\", \"from\": 9, \"to\": 3}]}",
+            "tags.a[0].to does not end a stretch",
+        ),
+        ("{\"a\": [{\"tag\": \"x\", \"from\": 9}]}", "tags.a[0] does not end a stretch"),
+    ] {
+        let said = project(bad).unwrap_err().to_string();
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
 fn the_shared_problems_are_read_without_a_warning() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/problems");
     let Ok(entries) = std::fs::read_dir(&folder) else {

@@ -4,6 +4,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use motion_core::by_hand::{Knot, Limb, Space};
+use motion_core::tags::HandTag;
+use motion_core::units::FrameIdx;
 use motion_io::diagnostic::Warnings;
 use motion_io::project_file::{self, LengthMode, Palette, Shape, Tolerance};
 use proptest::prelude::*;
@@ -89,6 +91,14 @@ fn take() -> impl Strategy<Value = StoredTake> {
         pieces: vec![TakePiece { clip: "walk".to_owned(), from, to }],
         by_hand: None,
         extra: Default::default(),
+    })
+}
+
+fn hand_tag() -> impl Strategy<Value = HandTag> {
+    let frames = prop::option::of((frame(), frame()));
+    (text(), frames).prop_map(|(tag, frames)| HandTag {
+        tag,
+        frames: frames.map(|(from, to)| (FrameIdx(from), FrameIdx(to))),
     })
 }
 
@@ -194,6 +204,8 @@ fn command() -> impl Strategy<Value = Command> {
         (text(), weight()).prop_map(|(term, weight)| C::SetTermWeight { term, weight }),
         prop::option::of(palette).prop_map(|palette| C::SetPalette { palette }),
         any::<u64>().prop_map(|seed| C::SetSeed { seed }),
+        (text(), hand_tag()).prop_map(|(clip, tag)| C::TagClip { clip, tag }),
+        (text(), hand_tag()).prop_map(|(clip, tag)| C::UntagClip { clip, tag }),
         text().prop_map(|library| C::SetLibrary { library }),
         (character(), text()).prop_map(|(character, name)| C::RenameCharacter { character, name }),
         take().prop_map(|take| C::PinTake { take }),

@@ -18,6 +18,14 @@ pub enum CommandError {
     /// No such change by hand.
     #[error("there is no change by hand {0:?} on this take any more")]
     NoHandEdit(String),
+    /// No such tag.
+    #[error("the clip {clip:?} was not given the tag {tag:?} by hand")]
+    NoTag {
+        /// The clip.
+        clip: String,
+        /// The tag.
+        tag: String,
+    },
     /// A motion needs a start and an end.
     #[error("a motion needs a start and an end; move this checkpoint instead of deleting it")]
     LastTwoCheckpoints,

@@ -30,6 +30,8 @@ impl Command {
             Self::SetLength { .. } => "Change length",
             Self::SetLengthWeight { .. } | Self::SetTermWeight { .. } => "Change weights",
             Self::SetPalette { .. } => "Change palette",
+            Self::TagClip { .. } => "Tag clip",
+            Self::UntagClip { .. } => "Take tag away",
             Self::SetSeed { .. } => "Change seed",
             Self::SetMirror { .. } => "Change mirroring",
             Self::SetBridges { .. } => "Change bridges",

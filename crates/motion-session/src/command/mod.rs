@@ -10,11 +10,13 @@ mod constraint;
 pub mod error;
 mod label;
 mod settings;
+mod tagging;
 
 #[cfg(test)]
 pub(crate) mod arbitrary;
 
 use motion_core::by_hand::Knot;
+use motion_core::tags::HandTag;
 use motion_io::project_file::{
     ConstraintKind, LengthMode, LockedPiece, Obstacle, Palette, Shape, Tolerance,
 };
@@ -175,6 +177,16 @@ pub enum Command {
     SetPalette {
         palette: Option<Palette>,
     },
+    /// A tag to a clip, or to a stretch of its frames, both ends included.
+    TagClip {
+        clip: String,
+        tag: HandTag,
+    },
+    /// A tag given by hand away again.
+    UntagClip {
+        clip: String,
+        tag: HandTag,
+    },
     SetSeed {
         seed: u64,
     },
@@ -320,6 +332,8 @@ fn apply_in_place(document: &mut Document, command: &Command) -> Result<(), Comm
         }
         C::SetTermWeight { term, weight } => settings::set_term_weight(document, term, weight),
         C::SetPalette { palette } => settings::set_palette(document, palette),
+        C::TagClip { clip, tag } => tagging::tag(document, clip, tag),
+        C::UntagClip { clip, tag } => tagging::untag(document, &clip, &tag),
         C::SetSeed { seed } => settings::set_seed(document, seed),
         C::SetMirror { mirror } => settings::set_mirror(document, mirror),
         C::SetBridges { bridges } => settings::set_bridges(document, bridges),

@@ -8,7 +8,7 @@ use motion_io::project_file::{Palette, Project, Shape};
 use super::{CommandError, check, obstacle_of};
 use crate::document::{CharacterIdx, Document, ObstacleIdx, StoredTake, TakeId};
 
-fn head(document: &mut Document) -> &mut Project {
+pub(super) fn head(document: &mut Document) -> &mut Project {
     Arc::make_mut(&mut document.head)
 }
 

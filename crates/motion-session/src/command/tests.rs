@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use motion_core::units::FrameIdx;
+
 use super::*;
 use crate::document::{HandChange, TakePiece};
 use crate::sample;
@@ -178,4 +180,26 @@ fn changes_by_hand_keep_their_take_and_come_along_to_what_it_became() {
     let cleared = kept(&[add, clear.clone()], &descendant).unwrap().unwrap();
     assert!(cleared.is_empty(), "an empty layer keeps the other one's off");
     assert_eq!(kept(&[clear], &descendant), None, "there is none to be kept off");
+}
+
+#[test]
+fn tags_are_given_to_clips_and_taken_again() {
+    let over = |tag: &str, frames: Option<(u32, u32)>| {
+        let frames = frames.map(|(from, to)| (FrameIdx(from), FrameIdx(to)));
+        HandTag { tag: tag.to_owned(), frames }
+    };
+    let tag = |tag| Command::TagClip { clip: "walk".to_owned(), tag };
+    let untag = |tag| Command::UntagClip { clip: "walk".to_owned(), tag };
+    check(&[tag(over(" , ", None))], "a tag needs a name");
+    check(
+        &[tag(over("limp", Some((9, 3))))],
+        "it would end at frame 3, before it begins at frame 9",
+    );
+    check(&[untag(over("limp", None))], "the clip \"walk\" was not given the tag \"limp\" by hand");
+    let both = [tag(over(" tired ", None)), tag(over("limp", Some((3, 9))))];
+    let tagged = apply_all(&document(), &both).unwrap();
+    assert_eq!(tagged.hand_tags().of("walk"), [over("tired", None), over("limp", Some((3, 9)))]);
+    assert!(!tagged.asks_the_same_as(&document()), "styles and palettes look at tags");
+    let gone = apply_all(&tagged, &[untag(over("tired", None)), untag(over("limp", Some((3, 9))))]);
+    assert_eq!(gone, Ok(document()));
 }

@@ -14,6 +14,7 @@ mod take_file;
 
 use std::sync::Arc;
 
+use motion_core::tags::HandTags;
 use motion_io::project_file::{
     Character, Constraint, Hashes, Interaction, Obstacle, Palette, Project, Search,
 };
@@ -92,6 +93,11 @@ impl Document {
         self.head.palette.as_ref()
     }
 
+    /// Tags given to clips by hand.
+    pub fn hand_tags(&self) -> HandTags {
+        self.head.hand_tags()
+    }
+
     /// How to search: seed, weights and the like.
     pub fn search(&self) -> &Search {
         &self.head.search
@@ -143,8 +149,8 @@ impl Document {
     /// Whether both speak of the same motions: everything but names and kept takes is equal.
     pub fn asks_the_same_as(&self, other: &Self) -> bool {
         let of_head = |d: &Self| {
-            let Project { fps, library, palette, search, .. } = &*d.head;
-            (*fps, library.clone(), palette.clone(), search.clone())
+            let Project { fps, library, palette, tags, search, .. } = &*d.head;
+            (*fps, library.clone(), palette.clone(), tags.clone(), search.clone())
         };
         let same_head = Arc::ptr_eq(&self.head, &other.head) || of_head(self) == of_head(other);
         same_head

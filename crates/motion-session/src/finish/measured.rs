@@ -49,10 +49,12 @@ impl Finish<'_> {
             let to = (style.to as usize + 1).min(self.shown.len());
             let shown = self.shown.get(style.from as usize..to).unwrap_or_default();
             let clips = &self.library.clips;
-            let lacks = |(clip, frame): &&(ClipId, FrameIdx)| {
-                !clips.clip(*clip).has_tag_at(&style.tag, *frame)
+            let lacking = |run: &[(ClipId, FrameIdx)]| {
+                let has = style.frames_with_tag(clips.clip(run[0].0));
+                run.iter().filter(|(_, frame)| !has[frame.idx()]).count()
             };
-            shown.iter().filter(lacks).count() as f32 / style.n_frames() as f32
+            let n_lacking: usize = shown.chunk_by(|a, b| a.0 == b.0).map(lacking).sum();
+            n_lacking as f32 / style.n_frames() as f32
         });
         Misses {
             body: body.collect(),

@@ -1,8 +1,9 @@
 //! Which clips a palette leaves to the search, and palettes that leave some more or fewer.
 //!
 //! A clip is in the palette when a pattern of `include` matches it (an empty list matches all), none
-//! of `exclude` does, and it has one of the `tags` (an empty list asks for none). Small and capital
-//! letters are alike. A pattern for `walk` has its mirror image `walk@mirror` too.
+//! of `exclude` does, and it has one of the `tags` (an empty list asks for none): by its name, found
+//! in a good part of its motion, or given by hand ([`whole_tags`]). Small and capital letters are
+//! alike. A pattern for `walk` has its mirror image `walk@mirror` too.
 //!
 //! [`Matcher`] is the only place that knows this: the search asks it, and so do check boxes.
 
@@ -10,8 +11,10 @@ mod edit;
 
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use motion_core::skeleton::mirror::MIRROR_SUFFIX;
+use motion_core::tags::{HandTags, has_words, whole_tags};
 use motion_io::project_file::Palette;
 
+use crate::clip_rows::ClipRow;
 use crate::document::TakePiece;
 use crate::live::ReadyLibrary;
 pub use edit::{palette_with, palette_with_clips, palette_with_tag};
@@ -38,8 +41,9 @@ impl<'a> Matcher<'a> {
     pub fn has(&self, (id, tags): TaggedClip<'_>) -> bool {
         let Some(palette) = self.palette else { return true };
         let matches = |set: &GlobSet| set.is_match(source_of(id)) || set.is_match(id);
+        let given = || tags.iter().map(String::as_str);
         let is_tagged =
-            palette.tags.is_empty() || tags.iter().any(|tag| palette.tags.contains(tag));
+            palette.tags.is_empty() || palette.tags.iter().any(|tag| has_words(tag, given()));
         (palette.include.is_empty() || matches(&self.include))
             && !matches(&self.exclude)
             && is_tagged
@@ -59,10 +63,9 @@ fn patterns(patterns: &[String]) -> Result<GlobSet, globset::Error> {
     set.build()
 }
 
-/// The clips of a library as palettes see them, in its order.
-pub fn tagged_clips(ready: &ReadyLibrary) -> Vec<TaggedClip<'_>> {
-    let clips = ready.library.clips.clips().iter();
-    clips.map(|clip| (clip.id.as_str(), clip.tags.as_slice())).collect()
+/// Listed clips as palettes see them, in the library's order.
+pub fn tagged_clips(rows: &[ClipRow]) -> Vec<TaggedClip<'_>> {
+    rows.iter().map(|row| (row.id.as_str(), row.tags.as_slice())).collect()
 }
 
 /// Whether the search may use a clip. A palette with a pattern that is none has no clip, as the
@@ -77,6 +80,7 @@ pub fn is_in_palette(palette: Option<&Palette>, clip: TaggedClip<'_>) -> bool {
 /// one: those are to be marked with what this says.
 pub fn clips_outside(
     palette: Option<&Palette>,
+    by_hand: &HandTags,
     ready: &ReadyLibrary,
     pieces: &[TakePiece],
 ) -> Vec<String> {
@@ -84,7 +88,7 @@ pub fn clips_outside(
     let set = &ready.library.clips;
     let is_outside = |id: &str| {
         let clip = set.by_id(id).map(|clip| set.clip(clip));
-        clip.is_some_and(|clip| !matcher.has((&clip.id, &clip.tags)))
+        clip.is_some_and(|clip| !matcher.has((&clip.id, &whole_tags(clip, by_hand))))
     };
     let mut outside: Vec<String> = Vec::new();
     for piece in pieces.iter().filter(|piece| is_outside(&piece.clip)) {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use motion_core::ids::ClipId;
+use motion_core::tags::HandTags;
 use motion_io::diagnostic::FileError;
 use motion_io::project_file::{Character, Constraint};
 
@@ -15,6 +16,8 @@ pub(super) struct Asking<'a> {
     pub(super) library: &'a Library,
     allowed: &'a [bool],
     path: &'a Path,
+    /// Tags given by hand.
+    pub(super) by_hand: &'a HandTags,
     /// Sentences on what is odd.
     pub(super) remarks: Vec<String>,
 }
@@ -25,9 +28,10 @@ impl<'a> Asking<'a> {
         character: &'a Character,
         library: &'a Library,
         allowed: &'a [bool],
+        by_hand: &'a HandTags,
         path: &'a Path,
     ) -> Self {
-        Self { name: &character.name, library, allowed, path, remarks: Vec::new() }
+        Self { name: &character.name, library, allowed, path, by_hand, remarks: Vec::new() }
     }
 
     /// Whether the palette has a clip.

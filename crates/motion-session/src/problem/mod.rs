@@ -53,9 +53,9 @@ pub fn problem_of(
     bridges: bool,
     project_path: &Path,
 ) -> Result<CharacterProblem, FileError> {
-    let allowed_clips =
-        allowed_clips::allowed_clips(project.palette.as_ref(), library, project_path)?;
-    let mut asking = Asking::new(character, library, &allowed_clips, project_path);
+    let allowed_clips = allowed_clips::allowed_clips(project, library, project_path)?;
+    let by_hand = project.hand_tags();
+    let mut asking = Asking::new(character, library, &allowed_clips, &by_hand, project_path);
     let (mut wishes, mut ids) = (Wishes::default(), ConstraintIds::default());
     for constraint in &character.constraints {
         let id = constraint.id.clone();

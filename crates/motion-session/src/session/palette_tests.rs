@@ -3,7 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::tests::{has_motion, session, until};
+use motion_core::tags::HandTags;
+
 use super::*;
+use crate::clip_rows::clip_rows;
 use crate::document::TakePiece;
 use crate::palette::{clips_outside, palette_with, palette_with_clips, tagged_clips};
 
@@ -43,7 +46,8 @@ fn a_clip_switched_off_takes_its_takes_along_and_brings_them_back() {
     let others = ids(&mut before.iter().filter(|take| !uses(take, clip)));
 
     let palette = {
-        let clips = tagged_clips(session.library().unwrap());
+        let rows = clip_rows(session.library().unwrap(), None, &HandTags::default());
+        let clips = tagged_clips(&rows);
         palette_with(session.document().palette(), &clips, clip, false)
     };
     session.apply(&Command::SetPalette { palette }).unwrap();
@@ -52,8 +56,12 @@ fn a_clip_switched_off_takes_its_takes_along_and_brings_them_back() {
     let shown = session.snapshot().characters[0].shown;
     for take in takes(&session) {
         // What is looked at stays, and can be marked.
-        let outside =
-            clips_outside(session.document().palette(), session.library().unwrap(), &take.pieces);
+        let outside = clips_outside(
+            session.document().palette(),
+            &HandTags::default(),
+            session.library().unwrap(),
+            &take.pieces,
+        );
         assert_eq!(outside.is_empty(), !uses(take, clip), "{:?}", take.pieces);
         assert!(outside.is_empty() || Some(take.id) == shown, "{:?}", take.pieces);
     }
@@ -80,7 +88,8 @@ fn a_clip_switched_off_takes_its_takes_along_and_brings_them_back() {
 fn switching_everything_off_is_said_and_undone() {
     let mut session = session(None);
     until(&mut session, "with a motion", has_motion);
-    let clips = tagged_clips(session.library().unwrap());
+    let rows = clip_rows(session.library().unwrap(), None, &HandTags::default());
+    let clips = tagged_clips(&rows);
     let ids: Vec<&str> = clips.iter().map(|(id, _)| *id).collect();
     let palette = palette_with_clips(None, &clips, &ids, false);
     session.apply(&Command::SetPalette { palette }).unwrap();

@@ -39,9 +39,9 @@ pub(super) fn candidates(case: &Case<'_>) -> Vec<Candidate> {
             best(&speed, top_speed_m_s(allowed, case.library) as f32)
         }
         Missed::Style(nth) => {
-            let tag = &case.wishes().styles.get(nth)?.tag;
+            let wish = case.wishes().styles.get(nth)?;
             let has = |_: usize, clip: &Clip| {
-                if has_tag(clip, tag) { clip.n_frames() as f32 } else { 0.0 }
+                if has_tag(clip, wish) { clip.n_frames() as f32 } else { 0.0 }
             };
             best(&has, 0.0)
         }

@@ -7,6 +7,7 @@ use motion_session::clip_rows::ClipRow;
 use motion_session::command::Command;
 use motion_session::palette::{palette_with, tagged_clips};
 
+use super::tag_menu;
 use crate::icons;
 use crate::settings::Tool;
 use crate::state::EditorState;
@@ -15,6 +16,9 @@ use crate::viewport::gesture::pose::PoseDrag;
 
 /// Half of a check box, points.
 const HALF_BOX_PT: f32 = 7.0;
+
+/// More stretches with a tag than this are counted rather than listed.
+const MAX_SPANS: usize = 8;
 
 /// The list. The box at the left switches a clip on and off, a rest of the pointer plays it in the
 /// view, a click takes its pose for the pose tool, and a drag brings it to the floor or a frame.
@@ -82,6 +86,7 @@ fn line_ui(ui: &mut Ui, clip: &ClipRow, is_used: bool, state: &mut EditorState) 
         response.dnd_set_drag_payload(PoseDrag);
     }
     let is_hovered = response.hovered() || response.has_focus();
+    tag_menu::tag_menu_ui(&response, clip, state);
     response.on_hover_ui(|ui| about_ui(ui, clip));
     is_hovered
 }
@@ -110,8 +115,18 @@ fn about_ui(ui: &mut Ui, clip: &ClipRow) {
     if !clip.tags.is_empty() {
         ui.label(clip.tags.join(", "));
     }
+    for span in clip.spans.iter().take(MAX_SPANS) {
+        ui.weak(format!("{}: frames {}–{}", span.tag, span.from, span.to));
+    }
+    if clip.spans.len() > MAX_SPANS {
+        ui.weak(format!("and {} more stretches", clip.spans.len() - MAX_SPANS));
+    }
+    for own in clip.by_hand.iter().filter(|own| own.frames.is_some()) {
+        ui.weak(tag_menu::words(own));
+    }
     let in_use = if clip.is_in_palette { "May be used" } else { "May not be used" };
     ui.label(format!("{in_use}; the box changes that"));
+    ui.label("The right button tags it");
     ui.label("A click takes the pose that is shown; drag it to the floor or the timeline");
 }
 
@@ -125,8 +140,7 @@ fn take_pose(clip: &ClipRow, state: &mut EditorState) {
 
 /// Lets the search use a clip, or no longer, as one step.
 fn switch(clip: &ClipRow, state: &mut EditorState) {
-    let Some(ready) = state.session.library() else { return };
     let present = state.session.document().palette();
-    let palette = palette_with(present, &tagged_clips(ready), &clip.id, !clip.is_in_palette);
+    let palette = palette_with(present, &tagged_clips(&state.clips), &clip.id, !clip.is_in_palette);
     state.apply(&Command::SetPalette { palette });
 }

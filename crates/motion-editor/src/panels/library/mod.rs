@@ -2,10 +2,13 @@
 
 mod clip_list;
 mod jobs;
+mod tag_menu;
 mod tags;
 
 use egui::{Align, Button, Layout, RichText, Role, TextEdit, Ui, WidgetInfo};
 use motion_session::clip_rows::ClipRow;
+use motion_session::command::Command;
+use motion_session::palette::{palette_with_clips, tagged_clips};
 
 use super::{empty_ui, heading_ui};
 use crate::icons;
@@ -48,6 +51,9 @@ impl LibraryPanel {
         jobs::jobs_ui(ui, state, &mut self.report_is_open);
         let found: Vec<ClipRow> =
             state.clips.iter().filter(|clip| clip.matches(&self.wanted)).cloned().collect();
+        if !self.wanted.trim().is_empty() {
+            found_ui(ui, &found, state);
+        }
         if state.clips.is_empty() {
             empty_ui(ui, "Clips stand here once the library is read. Drop BVH files on the window");
         } else if found.is_empty() {
@@ -55,6 +61,24 @@ impl LibraryPanel {
         }
         clip_list::clip_list_ui(ui, &found, state);
         jobs::report_ui(ui, state, &mut self.report_is_open);
+    }
+}
+
+/// Lets the search use what was found, or none of it, as one step.
+fn found_ui(ui: &mut Ui, found: &[ClipRow], state: &mut EditorState) {
+    let mut wanted = None;
+    ui.horizontal(|ui| {
+        for (words, on) in [("Use these", true), ("Use none of these", false)] {
+            let changes = found.iter().any(|clip| clip.is_in_palette != on);
+            let button = Button::new(RichText::new(words).font(theme::caption()));
+            wanted = ui.add_enabled(changes, button).clicked().then_some(on).or(wanted);
+        }
+    });
+    if let Some(on) = wanted {
+        let ids: Vec<&str> = found.iter().map(|clip| clip.id.as_str()).collect();
+        let clips = tagged_clips(&state.clips);
+        let palette = palette_with_clips(state.session.document().palette(), &clips, &ids, on);
+        state.apply(&Command::SetPalette { palette });
     }
 }
 

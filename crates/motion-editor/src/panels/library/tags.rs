@@ -13,8 +13,7 @@ const MAX_TAGS: usize = 6;
 
 /// The most frequent tags.
 pub(super) fn tags_ui(ui: &mut Ui, state: &mut EditorState) {
-    let Some(ready) = state.session.library() else { return };
-    let clips = tagged_clips(ready);
+    let clips = tagged_clips(&state.clips);
     let present = state.session.document().palette();
     let all = tag_counts(&state.clips);
     let mut wanted = None;

@@ -13,6 +13,7 @@ pub mod assemble;
 pub mod bind_pose;
 pub mod by_hand;
 pub mod cancel;
+pub mod cast;
 pub mod clip;
 pub mod constraint;
 pub mod contacts;

@@ -5,8 +5,9 @@ use glam::Vec2;
 /// Bodies whose middles are nearer than this are in each other's way, metres.
 pub const CLEARANCE_M: f32 = 0.60;
 
-/// So much too near for a second counts 1, metres.
-pub const CLEARANCE_TOLERANCE_M: f32 = 0.20;
+/// So much too near for a second counts 1, metres. It is small since who meet pass in half a second:
+/// through each other's middle costs about 50 then, at half a metre from it next to nothing.
+pub const CLEARANCE_TOLERANCE_M: f32 = 0.04;
 
 /// Where another character is, frame by frame.
 #[derive(Clone, Debug, PartialEq)]

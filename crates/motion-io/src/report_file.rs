@@ -32,6 +32,35 @@ pub struct Report {
     pub library: LibraryFigures,
     /// In the project's order.
     pub characters: Vec<CharacterReport>,
+    /// Where there are several characters: the alternatives of each rank together, best first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub together: Vec<TogetherReport>,
+}
+
+/// The motions of one rank, which belong together.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TogetherReport {
+    /// From 1, the best.
+    pub rank: u32,
+    /// The sum of the motions' scores.
+    pub score: f64,
+    /// Where they interact, in the project's order.
+    pub interactions: Vec<InteractionReport>,
+}
+
+/// Where an interaction is: what its members' relative places are relative to.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct InteractionReport {
+    /// The interaction's id.
+    pub interaction: String,
+    /// When.
+    pub frame: u32,
+    /// `[x, z]`, metres.
+    #[serde(rename = "position")]
+    pub position_m: [f64; 2],
+    /// 0 is +Z, 90 is +X.
+    #[serde(rename = "heading")]
+    pub heading_deg: f64,
 }
 
 /// The size of a library.
@@ -337,6 +366,7 @@ mod tests {
             iterations: 812,
             seconds: Some(5.0),
             library: LibraryFigures { clips: 80, frames: 19_874, ..LibraryFigures::default() },
+            together: Vec::new(),
             characters: vec![CharacterReport {
                 name: "A".to_owned(),
                 first_acceptable: Some(FirstAcceptable { s: Some(0.004), iteration: 2 }),

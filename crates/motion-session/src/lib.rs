@@ -29,6 +29,7 @@ pub mod project_job;
 pub mod quality;
 pub mod results;
 pub mod sample;
+pub mod solve_cast;
 pub mod solve_job;
 pub mod suggest;
 pub mod unmet;

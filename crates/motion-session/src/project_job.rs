@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use motion_core::assemble::Assembler;
 use motion_core::cancel::CancelToken;
+use motion_core::cast::CastProblem;
 use motion_core::motion::Motion;
 use motion_core::path::Path as CutPath;
 use motion_core::search::{SearchKind, SearchLibrary};
@@ -14,7 +15,8 @@ use motion_core::units::Fps;
 use motion_io::diagnostic::{FileError, Warnings};
 use motion_io::project_file::{Character, Project, relative_to};
 use motion_io::report_file::{
-    CharacterReport, FORMAT_VERSION, FirstAcceptable, LibraryFigures, Report, TracePoint,
+    CharacterReport, FORMAT_VERSION, FirstAcceptable, InteractionReport, LibraryFigures, Report,
+    TogetherReport, TracePoint,
 };
 
 use crate::Library;
@@ -26,7 +28,8 @@ use crate::hand_layer::layer_on;
 use crate::library_job::{GraphChoices, OnProgress};
 use crate::library_source::{LibraryChoice, resolve};
 use crate::live::ready_library::named_pieces;
-use crate::problem::{problem_of, remarks_on_project};
+use crate::problem::{CharacterProblem, cast_refusal, interactions_of, problem_of};
+use crate::solve_cast::{CastFound, CastRequest, Together, solve_cast};
 use crate::solve_job::{Found, SolveRequest, solve};
 use crate::suggest::after_solve::suggest;
 use crate::suggest::{Ground, Suggestion, WOULD_HELP};
@@ -106,10 +109,6 @@ pub fn solve_project(
     }
 
     let n_alternatives = request.alternatives.unwrap_or(project.search.alternatives as usize);
-    let budget = match request.budget {
-        Budget::Time(all) => Budget::Time(all / problems.len().max(1) as u32),
-        rounds @ Budget::Iterations(_) => rounds,
-    };
     let mut report = Report {
         gaitway: FORMAT_VERSION,
         project: project.name.clone(),
@@ -123,20 +122,25 @@ pub fn solve_project(
             .unwrap_or_default(),
         ..Report::default()
     };
+    let found = solve_together(request, &problems, seed, n_alternatives, cancel, on_progress)?;
+    report.seconds = Some(found.seconds);
+    report.together = together_reports(project, &found);
+    // What is tried after it may take as long as it would for each alone.
+    let budget = match request.budget {
+        Budget::Time(all) => Budget::Time(all / problems.len().max(1) as u32),
+        rounds @ Budget::Iterations(_) => rounds,
+    };
     let mut characters = Vec::new();
-    for (nth, (character, library, search)) in problems.into_iter().enumerate() {
-        let solve_request = SolveRequest {
-            library: Arc::clone(&search),
-            problem: character.problem.clone(),
-            seed: seed.wrapping_add(nth as u64),
-            kind: request.kind,
-            budget,
-            n_alternatives,
-        };
-        let label = format!("searching for {}", character.name);
-        let found = solve(solve_request, cancel, &mut |share, _| on_progress(&label, share))
-            .map_err(|error| character.refusal(&error).in_file(path))?;
-        let mut sentences = unmet(&character, &library, &found);
+    let all = problems.into_iter().zip(&found.characters).enumerate();
+    for (nth, ((character, library, search), of_character)) in all {
+        // Every rank has its own places of interactions.
+        let asked: Vec<CharacterProblem> = found
+            .together
+            .iter()
+            .map(|together| character.among_others(together.problems[nth].clone(), project))
+            .collect();
+        let best = asked.first().unwrap_or(&character);
+        let mut sentences = unmet(best, &library, of_character);
         let ground = Ground {
             document: &kept,
             character: CharacterIdx(nth),
@@ -145,46 +149,156 @@ pub fn solve_project(
             bridges,
         };
         let from = (&search, seed.wrapping_add(nth as u64));
-        let suggestions = suggest(&ground, &character, from, &found, budget, cancel);
+        // Changes are tried on the character alone, so only where it has to do with nobody.
+        let is_alone = best.problem == character.problem;
+        let suggestions = if is_alone {
+            suggest(&ground, &character, from, of_character, budget, cancel)
+        } else {
+            Vec::new()
+        };
         let said = suggestions.iter().map(|one| format!("{WOULD_HELP}{}", one.sentence));
         sentences.extend(said);
-        sentences.extend(remarks_on_project(project));
         let assembler = Assembler::new(&library.clips);
         let layer_of = |path: &CutPath| {
             let take = TakeId::of(&named_pieces(&library, path));
             let layer = kept.takes().get(&character.name, take)?.by_hand.as_ref()?;
             Some(layer_on(layer, library.clips.skeleton()).0)
         };
-        let finished: Vec<_> = found
+        let finished: Vec<_> = of_character
             .alternatives
             .iter()
+            .zip(&asked)
             .zip(1..)
-            .filter_map(|(alternative, rank)| {
+            .filter_map(|((alternative, asked), rank)| {
                 let layer = layer_of(&alternative.path);
-                let layer = layer.as_ref();
-                finish(&library, &assembler, &character, alternative, layer, rank)
+                finish(&library, &assembler, asked, alternative, layer.as_ref(), rank)
             })
             .collect();
         let (motions, alternatives) = finished
             .into_iter()
             .map(|finished| (Arc::unwrap_or_clone(finished.motion), finished.report))
             .unzip();
-        report.iterations += found.progress.iteration;
-        report.seconds = report.seconds.map(|seconds| seconds + found.seconds);
+        report.iterations += of_character.progress.iteration;
         report.characters.push(CharacterReport {
             name: character.name,
-            first_acceptable: found
+            first_acceptable: of_character
                 .progress
                 .first_acceptable
-                .map(|iteration| FirstAcceptable { s: found.first_acceptable_s, iteration }),
+                .map(|iteration| FirstAcceptable { s: of_character.first_acceptable_s, iteration }),
             alternatives,
-            trace: trace(&found),
+            trace: trace(of_character),
             unmet: sentences,
             suggestions: suggestions.iter().map(Suggestion::report).collect(),
         });
         characters.push(SolvedCharacter { library, motions });
     }
     Ok(Solved { report, characters })
+}
+
+/// Searches for all characters together.
+fn solve_together(
+    request: &ProjectRequest<'_>,
+    problems: &[(CharacterProblem, Library, Arc<SearchLibrary>)],
+    seed: u64,
+    n_alternatives: usize,
+    cancel: &CancelToken,
+    on_progress: OnProgress<'_>,
+) -> Result<CastFound, JobError> {
+    let ProjectRequest { project, path, .. } = request;
+    let asked: Vec<(&CharacterProblem, &Library)> =
+        problems.iter().map(|(problem, library, _)| (problem, library)).collect();
+    if asked.is_empty() {
+        return Ok(CastFound::default());
+    }
+    if request.kind != SearchKind::Gaitway {
+        return solve_apart(request, problems, (seed, n_alternatives), cancel, on_progress);
+    }
+    let problem = CastProblem {
+        characters: asked.iter().map(|(asked, _)| asked.problem.clone()).collect(),
+        interactions: interactions_of(project, &asked, path)?,
+    };
+    let solve_request = CastRequest {
+        libraries: problems.iter().map(|(.., search)| Arc::clone(search)).collect(),
+        problem,
+        seed,
+        budget: request.budget,
+        n_alternatives,
+    };
+    let names: Vec<&str> = asked.iter().map(|(asked, _)| asked.name.as_str()).collect();
+    let label = format!("searching for {}", names.join(" and "));
+    solve_cast(solve_request, cancel, &mut |share| on_progress(&label, share)).map_err(|error| {
+        let asked: Vec<&CharacterProblem> = asked.iter().map(|(asked, _)| *asked).collect();
+        cast_refusal(&error, project, &asked, path).into()
+    })
+}
+
+/// By a search that knows of one character only: each by itself.
+fn solve_apart(
+    request: &ProjectRequest<'_>,
+    problems: &[(CharacterProblem, Library, Arc<SearchLibrary>)],
+    (seed, n_alternatives): (u64, usize),
+    cancel: &CancelToken,
+    on_progress: OnProgress<'_>,
+) -> Result<CastFound, JobError> {
+    // Each has its share of the time, or as many rounds as asked for.
+    let budget = match request.budget {
+        Budget::Time(all) => Budget::Time(all / problems.len().max(1) as u32),
+        rounds @ Budget::Iterations(_) => rounds,
+    };
+    let mut found = CastFound::default();
+    for (nth, (character, _, search)) in problems.iter().enumerate() {
+        let solve_request = SolveRequest {
+            library: Arc::clone(search),
+            problem: character.problem.clone(),
+            seed: seed.wrapping_add(nth as u64),
+            kind: request.kind,
+            budget,
+            n_alternatives,
+        };
+        let label = format!("searching for {}", character.name);
+        let alone = solve(solve_request, cancel, &mut |share, _| on_progress(&label, share))
+            .map_err(|error| character.refusal(&error).in_file(request.path))?;
+        found.seconds += alone.seconds;
+        found.characters.push(alone);
+    }
+    let n_ranks = found.characters.iter().map(|one| one.alternatives.len()).max().unwrap_or(0);
+    found.together = (0..n_ranks)
+        .map(|rank| Together {
+            score: found
+                .characters
+                .iter()
+                .filter_map(|one| one.alternatives.get(rank))
+                .map(|alternative| alternative.judgement.terms.total())
+                .sum(),
+            problems: problems.iter().map(|(asked, ..)| asked.problem.clone()).collect(),
+            places: Vec::new(),
+        })
+        .collect();
+    Ok(found)
+}
+
+/// What motions of one rank score together, and where their interactions are; nothing where there is
+/// one character.
+fn together_reports(project: &Project, found: &CastFound) -> Vec<TogetherReport> {
+    if found.characters.len() < 2 {
+        return Vec::new();
+    }
+    let report = |(together, rank): (&Together, u32)| TogetherReport {
+        rank,
+        score: digits_of(together.score),
+        interactions: project
+            .interactions
+            .iter()
+            .zip(&together.places)
+            .map(|(interaction, place)| InteractionReport {
+                interaction: interaction.id.clone(),
+                frame: interaction.frame,
+                position_m: place.ground_m().to_array().map(digits_of),
+                heading_deg: digits_of(place.heading_rad().to_degrees()),
+            })
+            .collect(),
+    };
+    found.together.iter().zip(1..).map(report).collect()
 }
 
 fn library_choice(request: &ProjectRequest<'_>, character: &Character) -> LibraryChoice {

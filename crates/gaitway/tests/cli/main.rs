@@ -3,6 +3,7 @@
 mod alone;
 mod bad_motion;
 mod bad_project;
+mod cast;
 mod creatures;
 mod determinism;
 mod library;

@@ -19,6 +19,7 @@ use motion_core::score::Judgement;
 use motion_core::search::Search;
 use motion_io::content_hash::ContentHash;
 
+use super::company::SettledTake;
 use super::kindred::Kindred;
 use super::layers::Layers;
 use super::lineage::Lineage;
@@ -281,6 +282,15 @@ impl CharacterSearch {
     /// Whether the shown take may still be gained on since the last edit.
     pub(super) fn is_refining(&self) -> bool {
         self.shown.as_ref().is_some_and(|shown| shown.is_refining)
+    }
+
+    /// The take that is looked at, once nothing is being done about it and its motion is made for
+    /// what is asked.
+    pub(super) fn settled_take(&self) -> Option<SettledTake> {
+        let shown = self.shown.as_ref().filter(|s| !s.is_refining && !s.is_provisional)?;
+        let made = &self.made.get(&shown.id)?.made;
+        let (path, motion) = (shown.path.clone(), Arc::clone(&made.motion));
+        (made.version == self.version).then_some(SettledTake { path, motion })
     }
 
     /// One round of the search. Returns `false` if it was cancelled.

@@ -5,6 +5,7 @@
 //! through mailboxes with room for the latest one.
 
 mod character_search;
+mod company;
 mod kindred;
 mod layers;
 mod lineage;

@@ -154,3 +154,79 @@ fn everybody_is_searched_for_and_keeps_what_was_found_under_another_name_and_pla
     assert_eq!((answer.characters.len(), answer.characters[0].name.as_str()), (1, "C"));
     assert_eq!(answer.characters[0].picked, Some(picked));
 }
+
+/// Two characters with these constraints on the small library, and what they do together.
+fn two(a: &str, b: &str, interactions: &str) -> Document {
+    let character = |name: &str, constraints: &str| {
+        format!(
+            "{{\"name\": \"{name}\", \"length\": {{\"frames\": 120}},
+               \"constraints\": [{constraints}]}}"
+        )
+    };
+    let (a, b) = (character("A", a), character("B", b));
+    let text = format!(
+        "{{\"gaitway\": 1, \"name\": \"two\", \"characters\": [{a}, {b}],
+           \"interactions\": [{interactions}]}}"
+    );
+    let path = Path::new("two.gaitway");
+    let project =
+        motion_io::project_file::read(text.as_bytes(), path, &mut Default::default()).unwrap();
+    Document::from_project(project)
+}
+
+fn place(frame: u32, x: f64, z: f64, heading: f64) -> String {
+    format!(
+        "{{\"kind\": \"body\", \"frame\": {frame}, \"position\": [{x}, {z}], \"heading\": {heading}}}"
+    )
+}
+
+/// The motions that are shown.
+fn shown_motions(snapshot: &SearchSnapshot) -> Vec<Arc<motion_core::motion::Motion>> {
+    let shown = snapshot.characters.iter().filter_map(CharacterSnapshot::shown);
+    shown.filter_map(|take| Some(Arc::clone(&take.made.as_ref()?.motion))).collect()
+}
+
+#[test]
+fn two_whose_ways_cross_come_to_walk_around_each_other() {
+    let (mut search, woken) = start();
+    let document = two(
+        &format!("{}, {}", place(0, 0.0, -2.1, 0.0), place(119, 0.0, 2.1, 0.0)),
+        &format!("{}, {}", place(0, -2.1, 0.0, 90.0), place(119, 2.1, 0.0, 90.0)),
+        "",
+    );
+    search.submit(&document, &ready_library(), Path::new("two.gaitway"), Phase::Settled);
+    let least_m = |snapshot: &SearchSnapshot| {
+        let motions = shown_motions(snapshot);
+        let [a, b] = motions.as_slice() else { return 0.0 };
+        let pairs = a.root_positions_m().iter().zip(b.root_positions_m());
+        pairs.map(|(a, b)| (a.x - b.x).hypot(a.z - b.z)).fold(f32::INFINITY, f32::min)
+    };
+    until((&mut search, &woken), "of two ways apart", |s| least_m(s) > 0.4);
+}
+
+#[test]
+fn two_who_interact_are_shown_at_their_places_to_each_other() {
+    use motion_core::planar::PlanarTransform;
+    let (mut search, woken) = start();
+    let document = two(
+        &place(0, -2.5, 0.0, 90.0),
+        &place(0, 2.5, 0.0, 270.0),
+        "{\"id\": \"shake\", \"frame\": 75, \"members\": [
+            {\"character\": \"A\", \"clip\": \"walk\", \"clip_frame\": 60},
+            {\"character\": \"B\", \"clip\": \"slow\", \"clip_frame\": 30}],
+          \"relative\": [{\"position\": [0, 0], \"heading\": 0},
+                         {\"position\": [0, 1], \"heading\": 180}]}",
+    );
+    search.submit(&document, &ready_library(), Path::new("two.gaitway"), Phase::Settled);
+    let settled = until((&mut search, &woken), "settled", |s| s.state == SearchState::Settled);
+    let at = |motion: &motion_core::motion::Motion| {
+        let yaw_rad = motion_core::ground::yaw_series_rad(motion)[75];
+        let root = motion.root_positions_m()[75];
+        PlanarTransform::new(yaw_rad, glam::Vec2::new(root.x, root.z), 0.0)
+    };
+    let motions = shown_motions(&settled);
+    let b_in_a = at(&motions[0]).inverse() * at(&motions[1]);
+    let off_m = b_in_a.ground_m().distance(glam::Vec2::new(0.0, 1.0));
+    assert!(off_m < 2e-3, "{b_in_a:?}");
+    assert!(b_in_a.heading_rad().abs().to_degrees() > 179.8, "{b_in_a:?}");
+}

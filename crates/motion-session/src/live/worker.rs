@@ -4,18 +4,23 @@
 //! snapshot at once; then it is refined a step; then a round for everything. So what is dragged
 //! follows the pointer however long a round takes.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
 use motion_core::cancel::CancelToken;
+use motion_io::diagnostic::FileError;
+use motion_io::project_file::Project;
 
 use super::character_search::{CharacterSearch, Passing};
+use super::company::{Company, SettledTake};
 use super::wish::{Request, Shared, Wish};
 use super::{
-    CharacterSnapshot, Phase, SearchSnapshot, SearchState, Wake, kept_paths, wants_bridges,
+    CharacterSnapshot, Phase, ReadyLibrary, SearchSnapshot, SearchState, Wake, kept_paths,
+    wants_bridges,
 };
 use crate::document::CharacterIdx;
-use crate::problem::{problem_of, remarks_on_project};
+use crate::problem::{CharacterProblem, interactions_of, problem_of};
 use crate::suggest::Ground;
 
 /// How long the worker sleeps when nothing is to do; a wish wakes it.
@@ -63,6 +68,7 @@ struct Worker {
     seats: Vec<Seat>,
     /// Whose turn it is to search.
     turn: usize,
+    company: Company,
 }
 
 /// A character of the document.
@@ -116,19 +122,27 @@ impl Worker {
             Phase::Settled => Passing::Not,
         };
         self.take_seats(project.characters.iter().map(|character| character.name.as_str()));
-        for (nth, (seat, character)) in self.seats.iter_mut().zip(&project.characters).enumerate() {
-            let seed = project.search.seed.wrapping_add(nth as u64);
-            let bridges = wants_bridges(&project);
-            let asked = problem_of(&project, character, &library.library, bridges, &request.path);
+        let bridges = wants_bridges(&project);
+        let alone: Vec<_> = project
+            .characters
+            .iter()
+            .map(|character| {
+                problem_of(&project, character, &library.library, bridges, &request.path)
+            })
+            .collect();
+        let remark = self.meet(&project, &alone, library, &request.path);
+        for (nth, (seat, asked)) in self.seats.iter_mut().zip(alone).enumerate() {
+            let character = &project.characters[nth];
+            let seed = seed_of(&project, nth);
             let (kept, mut remarks) = kept_paths(&request.document, &character.name, library);
-            remarks.extend(remarks_on_project(&project));
+            remarks.extend(remark.clone());
             if character.library.is_some() {
                 remarks.push("the character's own library is not used here yet".to_owned());
             }
             seat.remarks = remarks;
             seat.refusal = None;
             let asked = match asked {
-                Ok(asked) => asked,
+                Ok(alone) => self.company.asked_of(nth).unwrap_or(alone),
                 Err(error) => {
                     seat.refusal = Some(format!("{}; {}", error.what, error.what_to_do));
                     continue;
@@ -157,8 +171,57 @@ impl Worker {
         }
     }
 
-    /// Gives every character the seat that it had: by its name, or where nobody has that any more, by
-    /// its place, for it was renamed then.
+    /// Has the characters hear of each other, if all of them can be searched. Returns why their
+    /// interactions cannot be, where that is so.
+    fn meet(
+        &mut self,
+        project: &Project,
+        alone: &[Result<CharacterProblem, FileError>],
+        library: &ReadyLibrary,
+        path: &Path,
+    ) -> Option<String> {
+        let known: Vec<&CharacterProblem> = alone.iter().filter_map(|a| a.as_ref().ok()).collect();
+        if known.len() != alone.len() {
+            self.company.part();
+            return None;
+        }
+        let on_library: Vec<_> = known.iter().map(|asked| (*asked, &library.library)).collect();
+        match interactions_of(project, &on_library, path) {
+            Ok(interactions) => {
+                let frame_secs = library.library.clips.fps().frame_secs() as f32;
+                let alone = known.into_iter().cloned().collect();
+                self.company.take_up(project, alone, interactions, frame_secs);
+                None
+            }
+            Err(error) => {
+                self.company.part();
+                Some(format!("{}; {}", error.what, error.what_to_do))
+            }
+        }
+    }
+
+    /// Where all takes that are shown have settled, has who is in another's way hear of it. Returns
+    /// whether somebody is asked anew.
+    fn exchange(&mut self) -> bool {
+        let Some(request) = self.wish.request.clone() else { return false };
+        let takes: Option<Vec<SettledTake>> =
+            self.seats.iter().map(|seat| seat.search.as_ref()?.settled_take()).collect();
+        let Some(takes) = takes else { return false };
+        let project = request.document.to_project();
+        let asked_anew = self.company.exchange(&request.library.search, &takes);
+        for &nth in &asked_anew {
+            let (Some(asked), Some(search)) =
+                (self.company.asked_of(nth), self.seats[nth].search.as_mut())
+            else {
+                continue;
+            };
+            self.seats[nth].refusal = search.ask(asked, seed_of(&project, nth), Passing::Not).err();
+        }
+        !asked_anew.is_empty()
+    }
+
+    /// Gives every character the seat that it had: by its name, or where nobody has that any more,
+    /// by its place, for it was renamed then.
     fn take_seats<'n>(&mut self, names: impl Iterator<Item = &'n str>) {
         let names: Vec<&str> = names.collect();
         let mut old: Vec<Option<Seat>> =
@@ -213,6 +276,9 @@ impl Worker {
         }
         if self.wish.is_paused || token.is_cancelled() || self.seats.is_empty() {
             return did;
+        }
+        if self.seats.len() > 1 && !dragging && self.exchange() {
+            return true;
         }
         // One character's round at a time, in turn, so that all of them get on.
         for _ in 0..self.seats.len() {
@@ -275,6 +341,11 @@ impl Seat {
         }
         snapshot
     }
+}
+
+/// The start of all chance for the character `nth`.
+fn seed_of(project: &Project, nth: usize) -> u64 {
+    project.search.seed.wrapping_add(nth as u64)
 }
 
 /// The state to be said of all characters: what needs the user first.

@@ -9,6 +9,7 @@ mod asking;
 mod body;
 mod constraint_ids;
 mod follow;
+mod interaction;
 mod joint;
 mod length;
 mod lock;
@@ -29,6 +30,7 @@ use motion_io::project_file::{Character, ConstraintKind, Project};
 use crate::Library;
 use asking::Asking;
 pub use constraint_ids::ConstraintIds;
+pub use interaction::{cast_refusal, interactions_of};
 pub use refusal::Refusal;
 pub(crate) use style::has_tag;
 
@@ -97,19 +99,6 @@ pub fn problem_of(
     let asked = CharacterProblem { name, problem, ids, remarks };
     asked.problem.check().map_err(|error| asked.refusal(&error).in_file(project_path))?;
     Ok(asked)
-}
-
-/// Sentences on what the project as a whole asks and this version does not meet.
-pub fn remarks_on_project(project: &Project) -> Vec<String> {
-    let mut remarks = Vec::new();
-    if !project.interactions.is_empty() {
-        remarks.push(
-            "interactions between characters were not considered: this version finds each \
-             character's motion by itself"
-                .to_owned(),
-        );
-    }
-    remarks
 }
 
 #[cfg(test)]

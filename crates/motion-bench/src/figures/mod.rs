@@ -20,6 +20,7 @@ mod quantile;
 mod random;
 mod rescore;
 mod runs;
+pub(crate) mod scale;
 mod score;
 mod score1s;
 mod seams;

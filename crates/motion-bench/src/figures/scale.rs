@@ -23,18 +23,28 @@ pub(crate) fn scale_once(source: &Source, n_frames: usize) -> anyhow::Result<()>
     rayon::ThreadPoolBuilder::new().num_threads(N_THREADS).build_global()?;
     let (clips, spent) = timed(|| many_frames(source.load()?, n_frames, SEED));
     let clips = clips?;
-    eprintln!("made in {:.1} s, {:.0} MiB", spent.wall.as_secs_f64(), peak_memory_mib().unwrap_or_default());
+    eprintln!(
+        "made in {:.1} s, {:.0} MiB",
+        spent.wall.as_secs_f64(),
+        peak_memory_mib().unwrap_or_default()
+    );
     let watch = Stopwatch::new();
     let stage = Mutex::new((String::new(), Instant::now()));
     let on_progress = |what: &str, _share: f64| {
         let Ok(mut stage) = stage.lock() else { return };
         if stage.0 != what {
             let spent = watch.spent();
-            eprintln!("{what}: at {:.1} s, {:.1} CPU s, {:.0} MiB", spent.wall.as_secs_f64(), spent.cpu.as_secs_f64(), peak_memory_mib().unwrap_or_default());
+            eprintln!(
+                "{what}: at {:.1} s, {:.1} CPU s, {:.0} MiB",
+                spent.wall.as_secs_f64(),
+                spent.cpu.as_secs_f64(),
+                peak_memory_mib().unwrap_or_default()
+            );
             *stage = (what.to_owned(), Instant::now());
         }
     };
-    let file = library_job::build(clips, &GraphChoices::default(), &CancelToken::new(), &on_progress)?;
+    let file =
+        library_job::build(clips, &GraphChoices::default(), &CancelToken::new(), &on_progress)?;
     let spent = watch.spent();
     let forest = &file.graph.forest;
     println!(

@@ -87,8 +87,7 @@ pub(super) fn add_bridges(
         if cancel.is_cancelled() {
             return Err(Cancelled.into());
         }
-        let bridges =
-            find_bridges(features, clip_costs, &forest, &with_all, clip_frames, min_jump);
+        let bridges = find_bridges(features, clip_costs, &forest, &with_all, clip_frames, min_jump);
         if bridges.is_empty() {
             break;
         }
@@ -153,10 +152,8 @@ fn find_bridges(
                 .collect();
             pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
             pairs.truncate(CLIP_PAIRS_PER_LINK);
-            let mut cuts: Vec<Bridge> = pairs
-                .into_iter()
-                .flat_map(|(_, x, y)| cuts_between(&ground, x, y))
-                .collect();
+            let mut cuts: Vec<Bridge> =
+                pairs.into_iter().flat_map(|(_, x, y)| cuts_between(&ground, x, y)).collect();
             cuts.sort_by(|x, y| {
                 let key = |b: &Bridge| (b.from, b.to, b.edge.from_frame, b.edge.to_frame);
                 x.edge.cost.total_cmp(&y.edge.cost).then(key(x).cmp(&key(y)))

@@ -6,9 +6,7 @@ use glam::Vec3;
 
 use super::components::connectivity;
 use super::forest::{ClipPair, Edge, EdgeId, Forest, ForestParts};
-use super::{
-    BuildError, BuildOptions, MotionGraph, TauRule, build, build_part, extend, merge,
-};
+use super::{BuildError, BuildOptions, MotionGraph, TauRule, build, build_part, extend, merge};
 use crate::cancel::CancelToken;
 use crate::clip::{Clip, ClipSet};
 use crate::ids::ClipId;

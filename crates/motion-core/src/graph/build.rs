@@ -75,10 +75,10 @@ pub enum BuildError {
     /// The threshold is no cost.
     #[error("τ must be a positive number and is {0}; leave it out for the default")]
     BadTau(f64),
-    /// Parts of a build that do not belong together.
+    /// The part of this number (from 0) does not belong to the clips or to the other parts.
     #[error(
-        "{0} is not of the same build as the others; build all parts from the same clips with the \
-         same options"
+        "a part is not of the same build as the others; build all parts from the same clips with \
+         the same options"
     )]
     Part(usize),
     /// Somebody cancelled.
@@ -261,8 +261,7 @@ impl Ground {
         ground.tau = match options.tau {
             TauRule::Fixed(tau) => tau,
             TauRule::NeighbourQuantile(share) if ground.keeps_all(options) => {
-                let nearest =
-                    nearest(&ground.features, ground.min_jump, cancel, &on_neighbours)?;
+                let nearest = nearest(&ground.features, ground.min_jump, cancel, &on_neighbours)?;
                 ground.clip_costs =
                     Some(ClipCosts::of_all(ground.clip_frames.len(), nearest.clip_pair));
                 quantile(&nearest.other_family, share)
@@ -270,7 +269,10 @@ impl Ground {
             TauRule::NeighbourQuantile(share) => {
                 let rows = spread_rows(ground.features.n_rows(), TAU_SAMPLES);
                 let features = &ground.features;
-                quantile(&nearest_of_other_families(features, &rows, cancel, &on_neighbours)?, share)
+                quantile(
+                    &nearest_of_other_families(features, &rows, cancel, &on_neighbours)?,
+                    share,
+                )
             }
         };
         Ok(ground)
@@ -349,8 +351,15 @@ impl Ground {
                 }
                 None => ClipCosts::of_some(&features, &by_tau, cancel)?,
             };
-            (forest, with_bridges) =
-                add_bridges(forest, &by_tau, &features, &clip_costs, &clip_frames, min_jump, cancel)?;
+            (forest, with_bridges) = add_bridges(
+                forest,
+                &by_tau,
+                &features,
+                &clip_costs,
+                &clip_frames,
+                min_jump,
+                cancel,
+            )?;
         }
         Ok(MotionGraph {
             metric: features.metric,

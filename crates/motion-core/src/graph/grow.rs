@@ -35,7 +35,11 @@ pub(super) fn grow_forest(
             .into_par_iter()
             .with_max_len(1)
             .map(|clip| {
-                if cancel.is_cancelled() { ForestParts::default() } else { trees_from(&edges, clip, &starts) }
+                if cancel.is_cancelled() {
+                    ForestParts::default()
+                } else {
+                    trees_from(&edges, clip, &starts)
+                }
             })
             .collect();
         for parts in grown {

@@ -1,11 +1,11 @@
 //! The slow and obvious twin of [`distance_grid`](super::distance_grid): double loops in f64.
 
-use super::distance_grid::{self, BLOCK, PairQuery, nearest, pairs_below};
 use super::directed::DirectedEdges;
+use super::distance_grid::{self, BLOCK, PairQuery, nearest, pairs_below};
 use super::families::Families;
+use super::features::{FeatureSet, Metric};
 use super::kept_edges::{KeptQuery, kept_edges};
 use super::shard::Shard;
-use super::features::{FeatureSet, Metric};
 use crate::cancel::CancelToken;
 use crate::ids::ClipId;
 use rand::{RngExt, SeedableRng};
@@ -41,8 +41,8 @@ fn pairs_below_are_those_of_a_double_loop() {
     let features = random_walks(&[BLOCK - 7, 40, 300, 1, 90], 18, 1);
     let (tau, min_jump) = (0.8, 9);
     let query = PairQuery::all(tau, min_jump as u32);
-    let found = pairs_below(&features, &query, &CancelToken::new(), &|_| ())
-        .expect("not cancelled");
+    let found =
+        pairs_below(&features, &query, &CancelToken::new(), &|_| ()).expect("not cancelled");
     let mut expected = Vec::new();
     for a in 0..features.n_rows() {
         for b in a + 1..features.n_rows() {
@@ -85,8 +85,7 @@ fn a_full_budget_lowers_tau_and_keeps_the_cheapest() {
     let all = pairs_below(&features, &query, &CancelToken::new(), &|_| ()).expect("not cancelled");
     let budget = all.pairs.len() / 3;
     let query = PairQuery { max_pairs: budget, ..query };
-    let some =
-        pairs_below(&features, &query, &CancelToken::new(), &|_| ()).expect("not cancelled");
+    let some = pairs_below(&features, &query, &CancelToken::new(), &|_| ()).expect("not cancelled");
     assert!(some.tau < all.tau && some.pairs.len() <= budget, "{} of {budget}", some.pairs.len());
     let expected: Vec<_> = all.pairs.into_iter().filter(|p| f64::from(p.cost) < some.tau).collect();
     assert_eq!(some.pairs, expected, "exactly those under the lowered threshold");
@@ -112,18 +111,23 @@ fn copies(seed: u64) -> FeatureSet {
 }
 
 /// What [`kept_edges`] promises, by looking at everything.
-fn kept_slowly(features: &FeatureSet, tau: f64, min_jump: u32, n_kept: usize) -> Vec<Vec<(u32, f32)>> {
+fn kept_slowly(
+    features: &FeatureSet,
+    tau: f64,
+    min_jump: u32,
+    n_kept: usize,
+) -> Vec<Vec<(u32, f32)>> {
     let n_rows = features.n_rows();
     let place = |row: usize| {
         let (clip, frame) = features.clip_of_row(row);
         (clip, frame as u32)
     };
-    let is_cut = |a: usize, b: usize| {
-        !features.families.is_same_moment(place(a), place(b), min_jump)
-    };
+    let is_cut =
+        |a: usize, b: usize| !features.families.is_same_moment(place(a), place(b), min_jump);
     let beside = |row: usize| {
         let (clip, _) = features.clip_of_row(row);
-        let (start, end) = (features.frame_starts[clip.idx()], features.frame_starts[clip.idx() + 1]);
+        let (start, end) =
+            (features.frame_starts[clip.idx()], features.frame_starts[clip.idx() + 1]);
         row.saturating_sub(1).max(start)..(row + 2).min(end)
     };
     let of_row = |a: usize| {
@@ -153,8 +157,7 @@ fn lists(edges: &DirectedEdges) -> Vec<Vec<(u32, f32)>> {
 fn kept_edges_are_those_of_a_double_loop() {
     for (seed, tau, n_kept) in [(1, 0.4, 5), (2, 0.8, 32), (3, 2.0, 8)] {
         let features = copies(seed);
-        let query =
-            KeptQuery { tau, min_jump: 9, n_kept, shard: Shard::WHOLE, known: None };
+        let query = KeptQuery { tau, min_jump: 9, n_kept, shard: Shard::WHOLE, known: None };
         let found = kept_edges(&features, &query, &CancelToken::new(), &|_| ()).expect("edges");
         let expected = kept_slowly(&features, tau, 9, n_kept);
         assert!(expected.iter().any(|kept| kept.len() == n_kept), "some lists are full");
@@ -183,8 +186,7 @@ fn known_edges_are_not_found_again_and_change_nothing() {
     let features = copies(5);
     let (n_old, old_end) = (3, features.frame_starts[3]);
     let ask = |features: &FeatureSet, known| {
-        let query =
-            KeptQuery { tau: 0.8, min_jump: 9, n_kept: 8, shard: Shard::WHOLE, known };
+        let query = KeptQuery { tau: 0.8, min_jump: 9, n_kept: 8, shard: Shard::WHOLE, known };
         kept_edges(features, &query, &CancelToken::new(), &|_| ()).expect("edges")
     };
     let mut old = features.clone();
@@ -217,8 +219,7 @@ fn copies_of_a_take_are_no_neighbours_and_no_cuts() {
     };
     let is_same = |a, b| features.families.is_same_moment(place(a), place(b), 9);
     assert!(pairs.pairs.iter().all(|pair| !is_same(pair.a, pair.b)));
-    let in_mirror = |p: &distance_grid::NearPair| {
-        (place(p.a).0, place(p.b).0) == (ClipId(0), ClipId(3))
-    };
+    let in_mirror =
+        |p: &distance_grid::NearPair| (place(p.a).0, place(p.b).0) == (ClipId(0), ClipId(3));
     assert!(pairs.pairs.iter().any(in_mirror), "a mirror image is another moment");
 }

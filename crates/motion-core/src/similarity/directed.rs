@@ -78,6 +78,27 @@ impl DirectedEdges {
         Self { starts, to, costs }
     }
 
+    /// Where each row's edges begin, with one more entry at the end; the rows they lead to; their
+    /// costs. For a file.
+    pub fn columns(&self) -> (&[u32], &[u32], &[f32]) {
+        (&self.starts, &self.to, &self.costs)
+    }
+
+    /// The edges of [`DirectedEdges::columns`]; `None` where they are not of one shape, lead to
+    /// rows that there are not, are out of order, or cost what cannot be.
+    pub fn from_columns(starts: Vec<u32>, to: Vec<u32>, costs: Vec<f32>) -> Option<Self> {
+        let n_rows = starts.len().checked_sub(1)?;
+        let ends = (starts[0], starts[n_rows] as usize);
+        let is_shape = ends == (0, to.len()) && to.len() == costs.len() && starts.is_sorted();
+        let are_costs = costs.iter().all(|cost| cost.is_finite() && *cost >= 0.0);
+        let is_in_order = |run: &[u32]| {
+            let own = &to[run[0] as usize..run[1] as usize];
+            own.is_sorted_by(|a, b| a < b) && own.last().is_none_or(|&to| (to as usize) < n_rows)
+        };
+        let is_whole = is_shape && are_costs && starts.windows(2).all(is_in_order);
+        is_whole.then_some(Self { starts, to, costs })
+    }
+
     /// How many rows there are.
     pub fn n_rows(&self) -> usize {
         self.starts.len().saturating_sub(1)
@@ -97,5 +118,38 @@ impl DirectedEdges {
     pub fn of(&self, row: usize) -> impl Iterator<Item = Kept> + '_ {
         let range = self.starts[row] as usize..self.starts[row + 1] as usize;
         self.to[range.clone()].iter().copied().zip(self.costs[range].iter().copied())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ways_are_listed_in_order() {
+        let pair = |a, b, cost| NearPair { a, b, cost };
+        let pairs = [pair(0, 2, 0.5), pair(0, 3, 0.25), pair(1, 2, 0.75), pair(2, 3, 0.1)];
+        let edges = DirectedEdges::both_ways(4, &pairs);
+        assert_eq!(edges.of(2).collect::<Vec<_>>(), [(0, 0.5), (1, 0.75), (3, 0.1)]);
+        assert_eq!(edges.len(), 8);
+        let collected = DirectedEdges::collect(4, |row, list| {
+            list.extend(edges.of(row));
+            list.reverse();
+        });
+        assert_eq!(collected, edges, "in any order");
+    }
+
+    #[test]
+    fn columns_come_back_and_broken_ones_are_refused() {
+        let check = |starts: &[u32], to: &[u32], costs: &[f32]| {
+            DirectedEdges::from_columns(starts.to_vec(), to.to_vec(), costs.to_vec()).is_some()
+        };
+        assert!(check(&[0, 2, 2], &[0, 1], &[0.5, 0.0]));
+        assert!(!check(&[], &[], &[]), "no rows are one entry");
+        assert!(!check(&[0, 1, 2], &[0, 2], &[0.5, 0.5]), "no such row");
+        assert!(!check(&[0, 2, 2], &[1, 0], &[0.5, 0.5]), "out of order");
+        assert!(!check(&[0, 2, 1], &[0, 1], &[0.5, 0.5]), "backwards");
+        assert!(!check(&[0, 2, 2], &[0, 1], &[0.5, f32::NAN]), "no cost");
+        assert!(!check(&[0, 2, 3], &[0, 1], &[0.5, 0.5]), "too long");
     }
 }

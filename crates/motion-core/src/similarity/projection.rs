@@ -122,12 +122,9 @@ mod tests {
             let projection = Projection::of(&features);
             for a in (0..500).step_by(7) {
                 for b in (0..500).step_by(11) {
-                    let (p, q) = (
-                        projection.project(features.row(a)),
-                        projection.project(features.row(b)),
-                    );
-                    let bound: f64 =
-                        p.iter().zip(q).map(|(x, y)| f64::from(x - y).powi(2)).sum();
+                    let (p, q) =
+                        (projection.project(features.row(a)), projection.project(features.row(b)));
+                    let bound: f64 = p.iter().zip(q).map(|(x, y)| f64::from(x - y).powi(2)).sum();
                     let cost = features.cost(a, b);
                     assert!(bound <= cost * (1.0 + 1e-5) + 1e-9, "{bound} is above {cost}");
                     if n_dims <= N_AXES {

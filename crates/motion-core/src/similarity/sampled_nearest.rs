@@ -35,8 +35,7 @@ pub(crate) fn nearest_in_clips(
     progress: &(dyn Fn(f32) + Sync),
 ) -> Result<(), Cancelled> {
     let (k, n_rows) = (features.n_dims, features.n_rows());
-    let asked: Vec<f32> =
-        rows.iter().flat_map(|&row| features.row(row).iter().copied()).collect();
+    let asked: Vec<f32> = rows.iter().flat_map(|&row| features.row(row).iter().copied()).collect();
     let norm = |row: usize| features.row(row).iter().map(|x| x * x).sum::<f32>();
     let asked_norms: Vec<f32> = rows.iter().map(|&row| norm(row)).collect();
     let asked_clips: Vec<ClipId> = rows.iter().map(|&row| features.clip_of_row(row).0).collect();

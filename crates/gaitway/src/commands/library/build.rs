@@ -59,7 +59,7 @@ pub(super) fn run(console: &Console, args: &LibraryBuild) -> Result<(), Failure>
     }
 
     let start = Instant::now();
-    let mut notes: Vec<String> = report.lines().map(|line| line.to_string()).collect();
+    let mut notes: Vec<String> = report.lines().iter().map(ToString::to_string).collect();
     let file = match old {
         None => {
             library_job::build(clips, &choices, &cancel, &on_progress).map_err(JobError::from)?

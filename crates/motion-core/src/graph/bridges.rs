@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::build::BuildError;
 pub(super) use super::clip_costs::ClipCosts;
 use super::components::{Connectivity, connectivity};
+use super::entrances::find_entrances;
 use super::forest::{ClipPair, Edge, EdgeId, Forest, ForestError, Run};
 use crate::cancel::{CancelToken, Cancelled};
 use crate::ids::ClipId;
@@ -68,7 +69,7 @@ struct Ground<'a> {
 }
 
 /// The forest with bridges, and what can be reached with them, after as many rounds as it takes to
-/// make it whole, at most four.
+/// make it whole, at most four; then the entrances of clips.
 pub(super) fn add_bridges(
     mut forest: Forest,
     by_tau: &Connectivity,
@@ -92,6 +93,11 @@ pub(super) fn add_bridges(
             break;
         }
         forest = with_bridges(&forest, &bridges, clip_frames)?;
+        with_all = connectivity(&forest, clip_frames, true);
+    }
+    let entrances = find_entrances(features, &with_all, clip_frames);
+    if !entrances.is_empty() {
+        forest = with_bridges(&forest, &entrances, clip_frames)?;
         with_all = connectivity(&forest, clip_frames, true);
     }
     Ok((forest, with_all))

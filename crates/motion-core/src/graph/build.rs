@@ -342,9 +342,10 @@ impl Ground {
         progress(Stage::Bridges);
         let by_tau = connectivity(&forest, &clip_frames, false);
         let mut with_bridges = by_tau.clone();
-        if options.bridges && !by_tau.is_whole() {
+        if options.bridges {
             let clip_costs = match clip_costs {
                 Some(costs) => costs,
+                None if by_tau.is_whole() => ClipCosts::of_all(0, Vec::new()),
                 None if of_all => {
                     let nearest = nearest(&features, min_jump, cancel, &|_| ())?;
                     ClipCosts::of_all(clip_frames.len(), nearest.clip_pair)

@@ -29,7 +29,7 @@ struct Args {
     /// Best known scores from 10 runs of 60 s a problem (hours, on a quiet machine)
     #[arg(long)]
     full: bool,
-    /// Only these figures: build, mirrored, load, leaf-edges, candidates, first, alternatives,
+    /// Only these figures: build, mirrored, scale, load, leaf-edges, candidates, first, alternatives,
     /// score, problems, score1s, versus, candidates-all-kinds, errand, alternatives2s, random,
     /// rescore, threads, correction, seams, assembly, picture, film, editor
     #[arg(long, value_name = "NAME")]

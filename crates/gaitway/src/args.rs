@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
+use motion_core::similarity::Shard;
 use motion_core::units::Fps;
 
 use crate::output::Failure;
@@ -115,8 +116,20 @@ pub(crate) enum Library {
     /// Import clips, find where they are alike, and save the library
     #[command(after_help = "Examples:\n  \
         gaitway library build clips/ -o clips.gwlib\n  \
-        gaitway library build clips/ more/*.bvh -o clips.gwlib --mirror --fps 30")]
+        gaitway library build clips/ more/*.bvh -o clips.gwlib --mirror --fps 30\n  \
+        gaitway library build new/ -o more.gwlib --extend clips.gwlib\n  \
+        gaitway library build clips/ -o 2-of-8.gwpart --shard 2/8    (then: library merge)")]
     Build(LibraryBuild),
+    /// Make a library of the parts that `library build --shard` wrote
+    #[command(after_help = "Example:\n  gaitway library merge *-of-8.gwpart -o clips.gwlib")]
+    Merge {
+        /// Every part of the build, in any order
+        #[arg(required = true, value_name = "PART")]
+        parts: Vec<PathBuf>,
+        /// The library to write
+        #[arg(short, long, value_name = "FILE")]
+        output: PathBuf,
+    },
     /// Say what is in a library
     #[command(after_help = "Examples:\n  \
         gaitway library info clips.gwlib\n  \
@@ -174,6 +187,13 @@ pub(crate) struct LibraryBuild {
     /// The motion file whose body the library has [default: the body that most frames have]
     #[arg(long, value_name = "FILE")]
     pub(crate) skeleton: Option<PathBuf>,
+    /// Add the clips to this library, whose clips are not compared with each other again; its
+    /// skeleton, rate, metric and τ stay
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tau", "fps", "skeleton", "shard"])]
+    pub(crate) extend: Option<PathBuf>,
+    /// Do only the K-th of N shares and write a part (.gwpart) for `library merge`
+    #[arg(long, value_name = "K/N", value_parser = shard)]
+    pub(crate) shard: Option<Shard>,
     #[command(flatten)]
     pub(crate) reading: Reading,
 }
@@ -294,6 +314,18 @@ pub(crate) enum Format {
     /// Biovision hierarchy
     Bvh,
 }
+
+/// A share of a build: counted from 1, as people and batch systems do.
+fn shard(text: &str) -> Result<Shard, String> {
+    let numbers = text.split_once('/').and_then(|(k, n)| {
+        let (k, n): (u32, u32) = (k.parse().ok()?, n.parse().ok()?);
+        Shard::new(k.checked_sub(1)?, n).filter(|_| n <= MAX_SHARDS)
+    });
+    numbers.ok_or_else(|| format!("use K/N with K from 1 to N, and N at most {MAX_SHARDS}"))
+}
+
+/// Most shares of a build: beyond them each is mostly the reading of clips.
+const MAX_SHARDS: u32 = 1000;
 
 /// A number above zero.
 fn positive(text: &str) -> Result<f64, String> {

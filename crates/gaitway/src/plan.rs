@@ -83,6 +83,15 @@ pub(crate) fn check_library_output(path: &Path) -> Result<(), FileError> {
     Err(FileError::new(path, what, "choose such a name, so that others know what it is"))
 }
 
+/// Fails unless `path` is a name for a part of a library.
+pub(crate) fn check_part_output(path: &Path) -> Result<(), FileError> {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gwpart")) {
+        return Ok(());
+    }
+    let what = "the name of a part of a library ends in .gwpart";
+    Err(FileError::new(path, what, "choose such a name, so that others know what it is"))
+}
+
 /// Fails where `path` cannot become a folder for results, before hours of searching for them.
 pub(crate) fn check_results_folder(path: &Path) -> Result<(), FileError> {
     if path.exists() && !path.is_dir() {

@@ -3,6 +3,7 @@
 pub mod asked;
 pub mod clips;
 pub mod finish;
+pub mod many_frames;
 pub mod problems;
 pub mod random_problems;
 pub mod stopwatch;

@@ -29,7 +29,7 @@ struct Args {
     /// Best known scores from 10 runs of 60 s a problem (hours, on a quiet machine)
     #[arg(long)]
     full: bool,
-    /// Only these figures: build, mirrored, load, leaf-edges, candidates, first, alternatives,
+    /// Only these figures: build, mirrored, scale, load, leaf-edges, candidates, first, alternatives,
     /// score, problems, score1s, versus, candidates-all-kinds, errand, alternatives2s, random,
     /// rescore, threads, correction, seams, assembly, picture, film, tags, editor
     #[arg(long, value_name = "NAME")]
@@ -38,6 +38,9 @@ struct Args {
     /// memory
     #[arg(long, value_name = "plain|mirrored", hide = true)]
     build_once: Option<String>,
+    /// Builds a library of so many frames once and prints what that took
+    #[arg(long, value_name = "FRAMES", hide = true)]
+    scale_once: Option<usize>,
     /// Works in the editor once and prints what that took
     #[arg(long, value_name = "sample|cmu", hide = true)]
     editor_once: Option<String>,
@@ -57,6 +60,9 @@ fn run(args: &Args) -> anyhow::Result<()> {
     let source = Source::find();
     if let Some(which) = &args.build_once {
         return figures::build::build_once(&source, which == "mirrored");
+    }
+    if let Some(n_frames) = args.scale_once {
+        return figures::scale::scale_once(&source, n_frames);
     }
     if let Some(which) = &args.editor_once {
         return figures::editor::editor_once(&source, which);

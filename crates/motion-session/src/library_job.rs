@@ -6,11 +6,13 @@ use std::path::PathBuf;
 use motion_core::cancel::{CancelToken, Cancelled};
 use motion_core::clip::{Clip, ClipSet};
 use motion_core::graph::build::Stage;
-use motion_core::graph::{self, BuildError, BuildOptions, TauRule};
+use motion_core::graph::{self, BuildError, BuildOptions, MotionGraph, TauRule};
+use motion_core::similarity::Shard;
 use motion_core::skeleton::mirror::{MIRROR_SUFFIX, MirrorMap};
 use motion_io::content_hash::ContentHash;
 use motion_io::import::{ImportError, ImportOptions, Report, import_files};
 use motion_io::library_file::LibraryFile;
+use motion_io::library_file::part::LibraryPart;
 
 use crate::error::JobError;
 use motion_io::diagnostic::Warnings;
@@ -69,19 +71,108 @@ pub fn build(
     on_progress: OnProgress<'_>,
 ) -> Result<LibraryFile, BuildError> {
     let clips = if choices.mirror { with_mirror_images(clips) } else { clips };
-    let options = BuildOptions {
+    let on_stage = |stage| tell(on_progress, stage);
+    let graph = graph::build(&clips.set, &build_options(choices), cancel, &on_stage)?;
+    Ok(clips.into_library(graph))
+}
+
+/// The share of [`build`] that one of several machines does.
+pub fn build_part(
+    clips: Clips,
+    choices: &GraphChoices,
+    shard: Shard,
+    cancel: &CancelToken,
+    on_progress: OnProgress<'_>,
+) -> Result<LibraryPart, BuildError> {
+    let clips = if choices.mirror { with_mirror_images(clips) } else { clips };
+    let on_stage = |stage| tell(on_progress, stage);
+    let options = build_options(choices);
+    let graph = graph::build_part(&clips.set, &options, shard, cancel, &on_stage)?;
+    let is_first = shard.nth() == 0;
+    let clips = is_first.then_some((clips.set, clips.content_hashes));
+    Ok(LibraryPart { graph, bridges: !choices.no_bridges, clips })
+}
+
+/// The library that [`build`] makes, of all parts of it. Fails with [`BuildError::Part`] where they
+/// do not belong together; the number is that of the part.
+pub fn merge(
+    mut parts: Vec<LibraryPart>,
+    cancel: &CancelToken,
+    on_progress: OnProgress<'_>,
+) -> Result<LibraryFile, BuildError> {
+    let first = parts.first().map(|part| part.bridges);
+    if let Some(other) = parts.iter().position(|part| Some(part.bridges) != first) {
+        return Err(BuildError::Part(other));
+    }
+    let clips = parts.iter_mut().find_map(|part| part.clips.take());
+    let (Some((set, content_hashes)), Some(bridges)) = (clips, first) else {
+        return Err(BuildError::Part(0));
+    };
+    let options = BuildOptions { bridges, ..BuildOptions::default() };
+    let on_stage = |stage| tell(on_progress, stage);
+    let parts = parts.into_iter().map(|part| part.graph).collect();
+    let graph = graph::merge(&set, &options, parts, cancel, &on_stage)?;
+    Ok(Clips { set, content_hashes }.into_library(graph))
+}
+
+/// The library of `old` and `new` clips, of which the old ones are not compared with each other
+/// again. τ and the metric stay those of `old`. `new` is on the skeleton and at the rate of `old`,
+/// and has no clip's id.
+pub fn extend(
+    old: LibraryFile,
+    new: Clips,
+    choices: &GraphChoices,
+    cancel: &CancelToken,
+    on_progress: OnProgress<'_>,
+) -> Result<LibraryFile, JobError> {
+    let LibraryFile { clips, content_hashes, graph: old } = old;
+    let all = clips.clips().iter().chain(new.set.clips()).cloned().collect();
+    let set = ClipSet::new(clips.skeleton().clone(), clips.fps(), all)?;
+    let content_hashes = [content_hashes, new.content_hashes].concat();
+    let clips = Clips { set, content_hashes };
+    let clips = if choices.mirror { with_mirror_images(clips) } else { clips };
+    let on_stage = |stage| tell(on_progress, stage);
+    let graph = graph::extend(&clips.set, &old, &build_options(choices), cancel, &on_stage)?;
+    Ok(clips.into_library(graph))
+}
+
+impl Clips {
+    fn into_library(self, graph: MotionGraph) -> LibraryFile {
+        LibraryFile { clips: self.set, content_hashes: self.content_hashes, graph }
+    }
+
+    /// Those that are not in `library` yet, by their content, and the ids of those that are.
+    pub fn unknown_to(self, library: &LibraryFile) -> Result<(Self, Vec<String>), JobError> {
+        let Self { set, content_hashes } = self;
+        let (new, known): (Vec<_>, Vec<_>) = set
+            .clips()
+            .iter()
+            .cloned()
+            .zip(content_hashes)
+            .partition(|(_, hash)| !library.content_hashes.contains(hash));
+        let (clips, content_hashes) = new.into_iter().unzip();
+        let set = ClipSet::new(set.skeleton().clone(), set.fps(), clips)?;
+        let known = known.into_iter().map(|(clip, _)| clip.id).collect();
+        Ok((Self { set, content_hashes }, known))
+    }
+}
+
+fn build_options(choices: &GraphChoices) -> BuildOptions {
+    BuildOptions {
         tau: choices.tau.map_or_else(TauRule::default, TauRule::Fixed),
         bridges: !choices.no_bridges,
         ..BuildOptions::default()
-    };
-    let graph = graph::build(&clips.set, &options, cancel, &|stage| match stage {
+    }
+}
+
+fn tell(on_progress: OnProgress<'_>, stage: Stage) {
+    match stage {
         Stage::Features => on_progress("features", 0.0),
         Stage::Neighbours(share) => on_progress("neighbours", 0.1 + 0.2 * f64::from(share)),
         Stage::Edges(share) => on_progress("edges", 0.3 + 0.4 * f64::from(share)),
         Stage::Hierarchy => on_progress("levels", 0.7),
         Stage::Bridges => on_progress("bridges", 0.9),
-    })?;
-    Ok(LibraryFile { clips: clips.set, content_hashes: clips.content_hashes, graph })
+    }
 }
 
 /// Every clip and behind all of them their mirror images, those left out that are there already.

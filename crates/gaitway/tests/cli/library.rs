@@ -116,6 +116,70 @@ fn tau_and_bridges_can_be_set() {
 }
 
 #[test]
+fn parts_are_merged_to_the_library_of_one_build() {
+    let dir = dir_with_library();
+    for k in 1..=3 {
+        gaitway(&dir, &format!("library build clips -o {k}.gwpart --shard {k}/3 -q")).ok();
+    }
+    gaitway(&dir, "library merge 3.gwpart 1.gwpart 2.gwpart -o merged.gwlib -q").ok();
+    let bytes = |name: &str| std::fs::read(dir.join(name)).unwrap();
+    assert!(bytes("merged.gwlib") == bytes("small.gwlib"), "the same bytes");
+
+    gaitway(&dir, "library merge 1.gwpart 2.gwpart -o x.gwlib")
+        .refused("gaitway: 1.gwpart: part 3 of 3 is missing; name every part of the build");
+    gaitway(&dir, "library merge 1.gwpart 2.gwpart 1.gwpart -o x.gwlib")
+        .refused("gaitway: 1.gwpart: part 1 of 3 is there twice; name every part once");
+    gaitway(&dir, "library build clips -o 2.gwpart --shard 2/3 --tau 0.5 -q").ok();
+    gaitway(&dir, "library merge 1.gwpart 2.gwpart 3.gwpart -o x.gwlib").refused(
+        "gaitway: 2.gwpart: the part is not of the same build as the others; \
+         build all parts from the same clips with the same options",
+    );
+    gaitway(&dir, "library merge small.gwlib -o x.gwlib").refused(
+        "gaitway: small.gwlib: it is a library and not a part of one; \
+         name what `library build --shard` wrote",
+    );
+    gaitway(&dir, "library build clips -o 1.gwlib --shard 1/3").refused(
+        "gaitway: 1.gwlib: the name of a part of a library ends in .gwpart; \
+         choose such a name, so that others know what it is",
+    );
+    gaitway(&dir, "library build clips -o 4.gwpart --shard 4/3").refused(
+        "gaitway: invalid value '4/3' for '--shard <K/N>': use K/N with K from 1 to N, and N at \
+         most 1000; `gaitway library build --help` says what can be given",
+    );
+}
+
+#[test]
+fn a_library_is_extended_on_its_own_terms() {
+    let dir = dir_with_clips();
+    gaitway(&dir, "library build clips/walk.bvh clips/left.bvh -o two.gwlib -q").ok();
+    let ran = gaitway(&dir, "library build clips -o five.gwlib --extend two.gwlib").ok();
+    for line in
+        ["clip walk is in the library already", "3 clips added to 2; the metric and τ stay as they"]
+    {
+        assert!(ran.stderr.contains(line), "{line:?} is not in {}", ran.stderr);
+    }
+    let info =
+        |name: &str| json(&gaitway(&dir, &format!("library info {name}.gwlib --json")).ok().stdout);
+    let (two, five) = (info("two"), info("five"));
+    assert_eq!(five["clips"], 5);
+    assert_eq!((&two["tau"], &two["metric"]), (&five["tau"], &five["metric"]));
+    let edges = |name: &str| {
+        gaitway(&dir, &format!("library edges {name}.gwlib --from walk --to walk")).ok().stdout
+    };
+    assert_eq!(edges("two"), edges("five"), "what was known");
+    let new = gaitway(&dir, "library edges five.gwlib --from walk --to walk_late").ok().stdout;
+    assert!(new.lines().count() > 10, "{new}");
+
+    gaitway(&dir, "library build clips -o x.gwlib --extend five.gwlib").refused(
+        "gaitway: five.gwlib: all the clips are in it already; name clips that it does not have",
+    );
+    dir.file("other/walk.bvh", std::fs::read(dir.join("clips/slow.bvh")).unwrap());
+    gaitway(&dir, "library build other -o x.gwlib --extend two.gwlib").refused(
+        "gaitway: two.gwlib: it has another clip \"walk\" already; rename the new clip's file",
+    );
+}
+
+#[test]
 fn libraries_that_cannot_be() {
     let dir = dir_with_library();
     gaitway(&dir, "library info none.gwlib")

@@ -20,6 +20,7 @@ mod quantile;
 mod random;
 mod rescore;
 mod runs;
+pub(crate) mod scale;
 mod score;
 mod score1s;
 mod seams;
@@ -49,6 +50,7 @@ pub(crate) struct Figure {
 pub(crate) const FIGURES: &[Figure] = &[
     Figure { name: "build", measure: build::plain },
     Figure { name: "mirrored", measure: build::mirrored },
+    Figure { name: "scale", measure: scale::measure },
     Figure { name: "load", measure: load::measure },
     Figure { name: "leaf-edges", measure: leaf_edges::measure },
     Figure { name: "candidates", measure: candidates::measure },

@@ -6,8 +6,12 @@
 
 use rayon::prelude::*;
 
-use super::components::Connectivity;
+use super::build::BuildError;
+pub(super) use super::clip_costs::ClipCosts;
+use super::components::{Connectivity, connectivity};
+use super::entrances::find_entrances;
 use super::forest::{ClipPair, Edge, EdgeId, Forest, ForestError, Run};
+use crate::cancel::{CancelToken, Cancelled};
 use crate::ids::ClipId;
 use crate::similarity::FeatureSet;
 use crate::units::FrameIdx;
@@ -18,10 +22,6 @@ pub const PER_LINK: usize = 16;
 /// Two cuts of one clip pair are well separated when they are at least this many frames apart
 /// in the frame left or in the frame entered.
 pub const SEPARATION: u32 = 10;
-
-/// With more parts than this, each part is only linked with its nearest ones: the number of
-/// links stays linear in the number of parts.
-const NEAREST_PARTS: usize = 24;
 
 /// Clip pairs that are looked at for one link, cheapest first.
 const CLIP_PAIRS_PER_LINK: usize = 12;
@@ -60,16 +60,59 @@ fn gate(connectivity: &Connectivity, clip: usize, n_frames: u32) -> Option<Gate>
     Some(gate)
 }
 
+/// What bridges are looked for in.
+struct Ground<'a> {
+    features: &'a FeatureSet,
+    clip_frames: &'a [u32],
+    min_jump: u32,
+    gates: Vec<Option<Gate>>,
+}
+
+/// The forest with bridges, and what can be reached with them, after as many rounds as it takes to
+/// make it whole, at most four; then the entrances of clips.
+pub(super) fn add_bridges(
+    mut forest: Forest,
+    by_tau: &Connectivity,
+    features: &FeatureSet,
+    clip_costs: &ClipCosts,
+    clip_frames: &[u32],
+    min_jump: u32,
+    cancel: &CancelToken,
+) -> Result<(Forest, Connectivity), BuildError> {
+    let mut with_all = by_tau.clone();
+    // A second round joins what frame order still kept apart after the first.
+    for _ in 0..4 {
+        if with_all.is_whole() {
+            break;
+        }
+        if cancel.is_cancelled() {
+            return Err(Cancelled.into());
+        }
+        let bridges = find_bridges(features, clip_costs, &forest, &with_all, clip_frames, min_jump);
+        if bridges.is_empty() {
+            break;
+        }
+        forest = with_bridges(&forest, &bridges, clip_frames)?;
+        with_all = connectivity(&forest, clip_frames, true);
+    }
+    let entrances = find_entrances(features, &with_all, clip_frames);
+    if !entrances.is_empty() {
+        forest = with_bridges(&forest, &entrances, clip_frames)?;
+        with_all = connectivity(&forest, clip_frames, true);
+    }
+    Ok((forest, with_all))
+}
+
 /// Bridges for every ordered pair of parts that has no usable link yet.
 ///
-/// `clip_pair_costs[a · n_clips + b]` is the least cost between two clips; it chooses which clip
-/// pairs are looked at in full.
-pub fn find_bridges(
+/// `clip_costs` choose which clip pairs are looked at in full.
+fn find_bridges(
     features: &FeatureSet,
-    clip_pair_costs: &[f32],
+    clip_costs: &ClipCosts,
     forest: &Forest,
     connectivity: &Connectivity,
     clip_frames: &[u32],
+    min_jump: u32,
 ) -> Vec<Bridge> {
     let n_parts = connectivity.n_parts as usize;
     let n_clips = clip_frames.len();
@@ -82,7 +125,7 @@ pub fn find_bridges(
         }
     }
     let linked = usable_links(forest, connectivity, &gates, n_parts);
-    let cost_between = |a: usize, b: usize| clip_pair_costs[a * n_clips + b];
+    let cost_between = |a: usize, b: usize| clip_costs.between(a, b);
     // Least cost between parts; decides who is near when there are many.
     let part_cost = |a: usize, b: usize| {
         let pairs =
@@ -96,7 +139,7 @@ pub fn find_bridges(
         others.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
         for (rank, &(cost, b)) in others.iter().enumerate() {
             // The main part is always linked, whatever its rank: that makes the graph whole.
-            if cost.is_finite() && (rank < NEAREST_PARTS || b == 0) {
+            if cost.is_finite() && (rank < clip_costs.nearest_parts || b == 0) {
                 links.push((a, b));
                 links.push((b, a));
             }
@@ -105,6 +148,7 @@ pub fn find_bridges(
     links.sort_unstable();
     links.dedup();
     links.retain(|&(a, b)| !linked[a * n_parts + b]);
+    let ground = Ground { features, clip_frames, min_jump, gates };
     let found: Vec<Vec<Bridge>> = links
         .into_par_iter()
         .map(|(a, b)| {
@@ -114,10 +158,8 @@ pub fn find_bridges(
                 .collect();
             pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
             pairs.truncate(CLIP_PAIRS_PER_LINK);
-            let mut cuts: Vec<Bridge> = pairs
-                .into_iter()
-                .flat_map(|(_, x, y)| cuts_between(features, &gates, x, y, clip_frames))
-                .collect();
+            let mut cuts: Vec<Bridge> =
+                pairs.into_iter().flat_map(|(_, x, y)| cuts_between(&ground, x, y)).collect();
             cuts.sort_by(|x, y| {
                 let key = |b: &Bridge| (b.from, b.to, b.edge.from_frame, b.edge.to_frame);
                 x.edge.cost.total_cmp(&y.edge.cost).then(key(x).cmp(&key(y)))
@@ -156,19 +198,22 @@ fn usable_links(
 }
 
 /// Local minima of the cost between two clips, within their gates.
-fn cuts_between(
-    features: &FeatureSet,
-    gates: &[Option<Gate>],
-    from: usize,
-    to: usize,
-    clip_frames: &[u32],
-) -> Vec<Bridge> {
+fn cuts_between(ground: &Ground<'_>, from: usize, to: usize) -> Vec<Bridge> {
+    let Ground { features, clip_frames, min_jump, gates } = ground;
     let (Some(leave), Some(enter)) = (&gates[from], &gates[to]) else { return Vec::new() };
     let rows: Vec<u32> = (leave.leave_from..clip_frames[from]).collect();
     let columns: Vec<u32> = (0..=enter.enter_until.min(clip_frames[to] - 1)).collect();
     let start = |clip: usize, frame: u32| features.frame_starts[clip] + frame as usize;
     // Every third frame finds each valley of a smooth cost; its bottom is then walked to.
-    let cost = |i: usize, j: usize| features.cost(start(from, rows[i]), start(to, columns[j]));
+    let ids = [from, to].map(ClipId::from_idx);
+    let is_family = features.families.hand(ids[0]) == features.families.hand(ids[1]);
+    let cost = |i: usize, j: usize| {
+        let (i, j) = (rows[i], columns[j]);
+        if is_family && features.families.is_same_moment((ids[0], i), (ids[1], j), *min_jump) {
+            return f64::INFINITY;
+        }
+        features.cost(start(from, i), start(to, j))
+    };
     let (n, m) = (rows.len(), columns.len());
     let mut cuts = Vec::new();
     if n == 0 || m == 0 {
@@ -186,7 +231,7 @@ fn cuts_between(
                 (j.saturating_sub(1)..(j + 2).min(m_coarse))
                     .all(|b| coarse[a * m_coarse + b] >= here)
             });
-            if !lowest {
+            if !lowest || here.is_infinite() {
                 continue;
             }
             let (mut at, mut least) = ((i * STEP, j * STEP), here);

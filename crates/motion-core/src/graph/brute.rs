@@ -6,12 +6,12 @@ use glam::Vec3;
 
 use super::components::connectivity;
 use super::forest::{ClipPair, Edge, EdgeId, Forest, ForestParts};
-use super::{BuildError, BuildOptions, MotionGraph, TauRule, build};
+use super::{BuildError, BuildOptions, MotionGraph, TauRule, build, build_part, extend, merge};
 use crate::cancel::CancelToken;
 use crate::clip::{Clip, ClipSet};
 use crate::ids::ClipId;
 use crate::motion::Motion;
-use crate::similarity::{FeatureSet, metric_columns};
+use crate::similarity::{FeatureSet, Shard, metric_columns};
 use crate::testing::wander;
 use crate::units::FrameIdx;
 
@@ -295,4 +295,87 @@ fn broken_forests_are_refused() {
     assert_eq!(broken(|p| p.n_leaves[3] = 2), Some(2), "a bridge is a leaf");
     assert_eq!(broken(|p| p.from_frames[1] = 10), Some(3));
     assert_eq!(broken(|p| p.costs[1] = f32::NAN), Some(3));
+}
+
+/// Options under which frames keep their best edges only.
+fn few_edges() -> BuildOptions {
+    BuildOptions { all_edges_until_frames: 10, edges_per_frame: 4, ..BuildOptions::default() }
+}
+
+#[test]
+fn a_budget_limits_the_edges_that_leave_a_frame() {
+    let clips = wander::clips(5, 70, false, 4);
+    let graph = build_with(&clips, &few_edges());
+    let mut per_frame: BTreeMap<(u32, u32), usize> = BTreeMap::new();
+    for pair in graph.forest.pairs() {
+        for edge in graph.leaf_edges(pair.from, pair.to) {
+            *per_frame.entry((pair.from.0, edge.from_frame.0)).or_default() += 1;
+        }
+    }
+    assert_eq!(per_frame.values().max(), Some(&4), "as many as were allowed");
+    assert!(graph.with_bridges.is_whole(), "{:?}", graph.with_bridges.part_of_clip);
+    let all = build_with(&clips, &BuildOptions::default());
+    assert_eq!(graph.tau, all.tau, "few frames are all asked for τ");
+}
+
+#[test]
+fn parts_of_a_build_make_the_same_graph() {
+    let clips = two_families();
+    let go = CancelToken::new();
+    let tight = BuildOptions { edge_budget_bytes: 200_000, ..BuildOptions::default() };
+    for options in [BuildOptions::default(), few_edges(), tight] {
+        let whole = build_with(&clips, &options);
+        let part = |nth| {
+            let shard = Shard::new(nth, 3).expect("a share");
+            build_part(&clips, &options, shard, &go, &|_| ()).expect("a part")
+        };
+        let parts = vec![part(2), part(0), part(1)];
+        let merged = merge(&clips, &options, parts.clone(), &go, &|_| ());
+        assert_eq!(merged.as_ref(), Ok(&whole), "{options:?}");
+
+        let twice = vec![part(0), part(1), part(0)];
+        assert_eq!(merge(&clips, &options, twice, &go, &|_| ()), Err(BuildError::Part(2)));
+        let missing = parts[..2].to_vec();
+        assert_eq!(merge(&clips, &options, missing, &go, &|_| ()), Err(BuildError::Part(0)));
+        let others = wander::clips(6, 80, false, 2);
+        assert_eq!(merge(&others, &options, parts, &go, &|_| ()), Err(BuildError::Part(0)));
+    }
+}
+
+#[test]
+fn an_extended_graph_has_the_edges_of_a_whole_one() {
+    let clips = wander::clips(6, 80, true, 8);
+    let first = clips.clips()[..4].to_vec();
+    let old = ClipSet::new(clips.skeleton().clone(), clips.fps(), first).expect("a valid set");
+    for options in [BuildOptions::default(), few_edges()] {
+        let old = build_with(&old, &options);
+        let go = CancelToken::new();
+        let graph = extend(&clips, &old, &options, &go, &|_| ()).expect("a graph");
+        assert_eq!((graph.tau, &graph.metric), (old.tau, &old.metric), "both stay");
+        assert!(graph.with_bridges.is_whole());
+        let keeps_all = options.all_edges_until_frames > 480;
+        let features = FeatureSet::by_metric(&clips, old.metric.clone(), 4);
+        let mut n_edges = 0;
+        for pair in graph.forest.pairs() {
+            for edge in graph.leaf_edges(pair.from, pair.to) {
+                let row = |clip: ClipId, frame: FrameIdx| 80 * clip.idx() + frame.idx();
+                let cost =
+                    features.cost(row(pair.from, edge.from_frame), row(pair.to, edge.to_frame));
+                assert!((f64::from(edge.cost) - cost).abs() <= 1e-5 * cost, "{edge:?}: {cost}");
+                n_edges += 1;
+            }
+            if keeps_all && pair.from.0.max(pair.to.0) < 4 {
+                let known = old.leaf_edges(pair.from, pair.to);
+                assert!(graph.leaf_edges(pair.from, pair.to) == known, "as they were");
+            }
+        }
+        if keeps_all {
+            let is_edge = |a: usize, b: usize| {
+                (a / 80 != b / 80 || a.abs_diff(b) >= graph.min_jump as usize)
+                    && features.cost(a, b) < graph.tau
+            };
+            let all = (0..480).map(|a| (0..480).filter(|&b| is_edge(a, b)).count());
+            assert_eq!(n_edges, all.sum::<usize>());
+        }
+    }
 }

@@ -1,27 +1,26 @@
-//! From clips to a graph: features, τ, all edges under it, islands, clusters, trees, bridges.
+//! From clips to a graph: features, τ, edges under it, islands, clusters, trees, bridges.
+//!
+//! At once ([`build`]), by several machines ([`build_part`], then [`merge`]), or onto a graph
+//! that is there ([`extend`]).
 
-use std::collections::BTreeMap;
-
-use rayon::prelude::*;
-
-use super::MotionGraph;
-use super::bridges::{find_bridges, with_bridges};
-use super::cluster::{Moments, clusters, split_in_two};
+use super::bridges::{ClipCosts, add_bridges};
 use super::components::connectivity;
-use super::entrances::find_entrances;
-use super::forest::{ClipPair, Edge, Forest, ForestError, ForestParts};
-use super::islands::islands;
+use super::forest::ForestError;
+use super::grow::grow_forest;
+use super::{Edge, MotionGraph};
 use crate::cancel::{CancelToken, Cancelled};
 use crate::clip::ClipSet;
-use crate::ids::ClipId;
-use crate::similarity::distance_grid::{NearPair, nearest, pairs_below};
-use crate::similarity::{FeatureSet, metric_columns};
-use crate::units::FrameIdx;
+use crate::similarity::distance_grid::{NearPair, PairQuery, keep_cheapest, nearest, pairs_below};
+use crate::similarity::kept_edges::{KeptQuery, kept_edges};
+use crate::similarity::projection::spread_rows;
+use crate::similarity::sampled_nearest::nearest_of_other_families;
+use crate::similarity::{DirectedEdges, FeatureSet, Shard, metric_columns};
 
 /// How the threshold is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TauRule {
-    /// The cost under which this share of all frames has a neighbour in another clip.
+    /// The cost under which this share of all frames has a neighbour in a clip of another
+    /// family ([`crate::similarity::families`]).
     NeighbourQuantile(f64),
     /// This cost.
     Fixed(f64),
@@ -44,6 +43,10 @@ pub struct BuildOptions {
     pub min_jump_secs: f64,
     /// Bytes that the edges may take; τ is lowered where they would take more.
     pub edge_budget_bytes: usize,
+    /// Above so many frames a frame keeps its best edges only.
+    pub all_edges_until_frames: usize,
+    /// How many edges may leave a frame then: local minima of the cost first, then the cheapest.
+    pub edges_per_frame: usize,
 }
 
 impl Default for BuildOptions {
@@ -53,6 +56,8 @@ impl Default for BuildOptions {
             bridges: true,
             min_jump_secs: 0.3,
             edge_budget_bytes: 2 << 30,
+            all_edges_until_frames: 50_000,
+            edges_per_frame: 32,
         }
     }
 }
@@ -70,6 +75,12 @@ pub enum BuildError {
     /// The threshold is no cost.
     #[error("τ must be a positive number and is {0}; leave it out for the default")]
     BadTau(f64),
+    /// The part of this number (from 0) does not belong to the clips or to the other parts.
+    #[error(
+        "a part is not of the same build as the others; build all parts from the same clips with \
+         the same options"
+    )]
+    Part(usize),
     /// Somebody cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
@@ -93,6 +104,36 @@ pub enum Stage {
     Bridges,
 }
 
+/// Frames that τ is found from where there are too many to ask all. The share of frames with a
+/// neighbour is then right to within 0.8 % (one standard error).
+const TAU_SAMPLES: usize = 4096;
+
+/// What all parts of a build have in common, and what is found on the way to it.
+struct Ground {
+    features: FeatureSet,
+    clip_frames: Vec<u32>,
+    min_jump: u32,
+    tau: f64,
+    clip_costs: Option<ClipCosts>,
+    /// Whether pairs of frames may not be looked at once more.
+    is_extension: bool,
+}
+
+/// The edges that one share of a build found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GraphPart {
+    /// Which share of how many.
+    pub shard: Shard,
+    /// The threshold as it was chosen.
+    pub tau: f64,
+    /// The threshold after it was lowered for want of memory.
+    pub tau_used: f64,
+    /// What identifies the frames and how they were compared: equal in all parts of a build.
+    pub fingerprint: u64,
+    /// The edges, by frame of all clips one after the other.
+    pub edges: DirectedEdges,
+}
+
 /// Builds the graph of `clips`. The result does not depend on the number of threads.
 pub fn build(
     clips: &ClipSet,
@@ -100,64 +141,291 @@ pub fn build(
     cancel: &CancelToken,
     progress: &(dyn Fn(Stage) + Sync),
 ) -> Result<MotionGraph, BuildError> {
-    if clips.clips().is_empty() {
-        return Err(BuildError::NoClips);
+    let ground = Ground::new(clips, options, cancel, progress)?;
+    let (edges, tau) = ground.find_edges(options, Shard::WHOLE, None, cancel, progress)?;
+    ground.finish(edges, tau, options, cancel, progress)
+}
+
+/// The share of [`build`] that finds the edges of every n-th run of frames: most of its time.
+pub fn build_part(
+    clips: &ClipSet,
+    options: &BuildOptions,
+    shard: Shard,
+    cancel: &CancelToken,
+    progress: &(dyn Fn(Stage) + Sync),
+) -> Result<GraphPart, BuildError> {
+    let ground = Ground::new(clips, options, cancel, progress)?;
+    let (edges, tau_used) = ground.find_edges(options, shard, None, cancel, progress)?;
+    let fingerprint = ground.fingerprint(options);
+    Ok(GraphPart { shard, tau: ground.tau, tau_used, fingerprint, edges })
+}
+
+/// The graph that [`build`] makes of `clips`, from all parts of it in any order.
+pub fn merge(
+    clips: &ClipSet,
+    options: &BuildOptions,
+    parts: Vec<GraphPart>,
+    cancel: &CancelToken,
+    progress: &(dyn Fn(Stage) + Sync),
+) -> Result<MotionGraph, BuildError> {
+    let Some(tau) = parts.first().map(|part| part.tau) else { return Err(BuildError::Part(0)) };
+    progress(Stage::Features);
+    check_clips(clips)?;
+    let features = FeatureSet::new(clips, metric_columns(clips.skeleton()));
+    let ground = Ground::of(clips, features, options, tau, None);
+    let fingerprint = ground.fingerprint(options);
+    for (nth, part) in parts.iter().enumerate() {
+        let is_of_build = part.fingerprint == fingerprint
+            && part.tau.to_bits() == tau.to_bits()
+            && part.edges.n_rows() == ground.features.n_rows()
+            && part.shard.n() as usize == parts.len()
+            && parts[..nth].iter().all(|other| other.shard != part.shard);
+        if !is_of_build {
+            return Err(BuildError::Part(nth));
+        }
     }
-    if let TauRule::Fixed(tau) = options.tau
-        && !(tau > 0.0 && tau.is_finite())
-    {
-        return Err(BuildError::BadTau(tau));
+    let tau_used = parts.iter().map(|part| part.tau_used).fold(tau, f64::min);
+    let lists: Vec<DirectedEdges> = parts.into_iter().map(|part| part.edges).collect();
+    let (edges, tau_used) = if ground.keeps_all(options) {
+        let mut pairs = near_pairs(&lists);
+        drop(lists);
+        let mut tau_used = tau_used;
+        if tau_used < tau {
+            pairs.retain(|pair| f64::from(pair.cost) < tau_used);
+        }
+        keep_cheapest(&mut pairs, &mut tau_used, max_pairs(options));
+        pairs.sort_unstable_by_key(|pair| (pair.a, pair.b));
+        (DirectedEdges::both_ways(ground.features.n_rows(), &pairs), tau_used)
+    } else {
+        let all = |row: usize, kept: &mut Vec<_>| {
+            lists.iter().for_each(|list| kept.extend(list.of(row)));
+        };
+        (DirectedEdges::collect(ground.features.n_rows(), all), tau_used)
+    };
+    ground.finish(edges, tau_used, options, cancel, progress)
+}
+
+/// The graph of `clips`, of which `old` is the graph of the first: those are not compared with
+/// each other again. The metric and τ stay those of `old`.
+pub fn extend(
+    clips: &ClipSet,
+    old: &MotionGraph,
+    options: &BuildOptions,
+    cancel: &CancelToken,
+    progress: &(dyn Fn(Stage) + Sync),
+) -> Result<MotionGraph, BuildError> {
+    check_clips(clips)?;
+    let n_old = old.n_clips();
+    let frames = clips.clips().iter().map(|clip| clip.n_frames() as u32);
+    if n_old > clips.clips().len() || !frames.zip(&old.clip_frames).all(|(n, &old)| n == old) {
+        return Err(BuildError::Part(0));
     }
     progress(Stage::Features);
-    let features = FeatureSet::new(clips, metric_columns(clips.skeleton()));
-    progress(Stage::Neighbours(0.0));
-    let on_neighbours = |share: f32| progress(Stage::Neighbours(share));
-    let nearest = nearest(&features, cancel, &on_neighbours)?;
-    let tau = match options.tau {
-        TauRule::Fixed(tau) => tau,
-        TauRule::NeighbourQuantile(share) => quantile(&nearest.other_clip, share),
-    };
-    let clip_frames: Vec<u32> = clips.clips().iter().map(|clip| clip.n_frames() as u32).collect();
-    let min_jump = clips.fps().frames_in_secs(options.min_jump_secs).max(1);
-    let max_pairs = (options.edge_budget_bytes / BYTES_PER_PAIR).max(1);
-    let on_edges = |share: f32| progress(Stage::Edges(share));
-    let near = pairs_below(&features, tau, min_jump, max_pairs, cancel, &on_edges)?;
-    progress(Stage::Hierarchy);
-    let mut forest = grow_forest(&features, near.pairs, &clip_frames, cancel)?;
-    progress(Stage::Bridges);
-    let by_tau = connectivity(&forest, &clip_frames, false);
-    let mut with_all = by_tau.clone();
-    if options.bridges {
-        // A second round joins what frame order still kept apart after the first.
-        for _ in 0..4 {
-            if with_all.is_whole() {
-                break;
-            }
-            if cancel.is_cancelled() {
-                return Err(Cancelled.into());
-            }
-            let costs = &nearest.clip_pair;
-            let bridges = find_bridges(&features, costs, &forest, &with_all, &clip_frames);
-            if bridges.is_empty() {
-                break;
-            }
-            forest = with_bridges(&forest, &bridges, &clip_frames)?;
-            with_all = connectivity(&forest, &clip_frames, true);
+    let features = FeatureSet::by_metric(clips, old.metric.clone(), n_old);
+    let mut ground = Ground::of(clips, features, options, old.tau, None);
+    ground.min_jump = old.min_jump;
+    ground.is_extension = true;
+    let known = known_edges(old, ground.features.n_rows());
+    let (edges, tau) =
+        ground.find_edges(options, Shard::WHOLE, Some((&known, n_old)), cancel, progress)?;
+    drop(known);
+    ground.finish(edges, tau, options, cancel, progress)
+}
+
+fn check_clips(clips: &ClipSet) -> Result<(), BuildError> {
+    if clips.clips().is_empty() { Err(BuildError::NoClips) } else { Ok(()) }
+}
+
+fn max_pairs(options: &BuildOptions) -> usize {
+    (options.edge_budget_bytes / BYTES_PER_PAIR).max(1)
+}
+
+impl Ground {
+    fn new(
+        clips: &ClipSet,
+        options: &BuildOptions,
+        cancel: &CancelToken,
+        progress: &(dyn Fn(Stage) + Sync),
+    ) -> Result<Self, BuildError> {
+        check_clips(clips)?;
+        if let TauRule::Fixed(tau) = options.tau
+            && !(tau > 0.0 && tau.is_finite())
+        {
+            return Err(BuildError::BadTau(tau));
         }
-        let entrances = find_entrances(&features, &with_all, &clip_frames);
-        if !entrances.is_empty() {
-            forest = with_bridges(&forest, &entrances, &clip_frames)?;
-            with_all = connectivity(&forest, &clip_frames, true);
+        progress(Stage::Features);
+        let features = FeatureSet::new(clips, metric_columns(clips.skeleton()));
+        let mut ground = Self::of(clips, features, options, 1.0, None);
+        progress(Stage::Neighbours(0.0));
+        let on_neighbours = |share: f32| progress(Stage::Neighbours(share));
+        ground.tau = match options.tau {
+            TauRule::Fixed(tau) => tau,
+            TauRule::NeighbourQuantile(share) if ground.keeps_all(options) => {
+                let nearest = nearest(&ground.features, ground.min_jump, cancel, &on_neighbours)?;
+                ground.clip_costs =
+                    Some(ClipCosts::of_all(ground.clip_frames.len(), nearest.clip_pair));
+                quantile(&nearest.other_family, share)
+            }
+            TauRule::NeighbourQuantile(share) => {
+                let rows = spread_rows(ground.features.n_rows(), TAU_SAMPLES);
+                let features = &ground.features;
+                quantile(
+                    &nearest_of_other_families(features, &rows, cancel, &on_neighbours)?,
+                    share,
+                )
+            }
+        };
+        Ok(ground)
+    }
+
+    fn of(
+        clips: &ClipSet,
+        features: FeatureSet,
+        options: &BuildOptions,
+        tau: f64,
+        clip_costs: Option<ClipCosts>,
+    ) -> Self {
+        let clip_frames = clips.clips().iter().map(|clip| clip.n_frames() as u32).collect();
+        let min_jump = clips.fps().frames_in_secs(options.min_jump_secs).max(1) as u32;
+        Self { features, clip_frames, min_jump, tau, clip_costs, is_extension: false }
+    }
+
+    /// Whether every edge under τ is kept.
+    fn keeps_all(&self, options: &BuildOptions) -> bool {
+        self.features.n_rows() <= options.all_edges_until_frames
+    }
+
+    /// The edges of a share and the τ that was used; edges of `known` clips are taken over.
+    fn find_edges(
+        &self,
+        options: &BuildOptions,
+        shard: Shard,
+        known: Option<(&DirectedEdges, usize)>,
+        cancel: &CancelToken,
+        progress: &(dyn Fn(Stage) + Sync),
+    ) -> Result<(DirectedEdges, f64), BuildError> {
+        let (features, tau, min_jump) = (&self.features, self.tau, self.min_jump);
+        let on_edges = |share: f32| progress(Stage::Edges(share));
+        if !self.keeps_all(options) {
+            let n_kept = options.edges_per_frame;
+            let query = KeptQuery { tau, min_jump, n_kept, shard, known };
+            return Ok((kept_edges(features, &query, cancel, &on_edges)?, tau));
+        }
+        let first_new_row = known.map_or(0, |(_, n_old)| features.frame_starts[n_old]);
+        let max_pairs = max_pairs(options);
+        let query = PairQuery { tau, min_jump, max_pairs, first_new_row, shard };
+        let mut near = pairs_below(features, &query, cancel, &on_edges)?;
+        if let Some((known, _)) = known {
+            near.pairs.extend(near_pairs(std::slice::from_ref(known)));
+            if near.tau < tau {
+                near.pairs.retain(|pair| f64::from(pair.cost) < near.tau);
+            }
+            keep_cheapest(&mut near.pairs, &mut near.tau, max_pairs);
+            near.pairs.sort_unstable_by_key(|pair| (pair.a, pair.b));
+        }
+        Ok((DirectedEdges::both_ways(features.n_rows(), &near.pairs), near.tau))
+    }
+
+    /// Levels, components and bridges over `edges`.
+    fn finish(
+        self,
+        edges: DirectedEdges,
+        tau: f64,
+        options: &BuildOptions,
+        cancel: &CancelToken,
+        progress: &(dyn Fn(Stage) + Sync),
+    ) -> Result<MotionGraph, BuildError> {
+        progress(Stage::Hierarchy);
+        let of_all = self.keeps_all(options) && !self.is_extension;
+        let Self { features, clip_frames, min_jump, clip_costs, .. } = self;
+        let mut forest = grow_forest(edges, &clip_frames, cancel)?;
+        progress(Stage::Bridges);
+        let by_tau = connectivity(&forest, &clip_frames, false);
+        let mut with_bridges = by_tau.clone();
+        if options.bridges {
+            let clip_costs = match clip_costs {
+                Some(costs) => costs,
+                None if by_tau.is_whole() => ClipCosts::of_all(0, Vec::new()),
+                None if of_all => {
+                    let nearest = nearest(&features, min_jump, cancel, &|_| ())?;
+                    ClipCosts::of_all(clip_frames.len(), nearest.clip_pair)
+                }
+                None => ClipCosts::of_some(&features, &by_tau, cancel)?,
+            };
+            (forest, with_bridges) = add_bridges(
+                forest,
+                &by_tau,
+                &features,
+                &clip_costs,
+                &clip_frames,
+                min_jump,
+                cancel,
+            )?;
+        }
+        Ok(MotionGraph {
+            metric: features.metric,
+            tau,
+            min_jump,
+            clip_frames,
+            forest,
+            by_tau,
+            with_bridges,
+        })
+    }
+
+    /// See [`GraphPart::fingerprint`].
+    fn fingerprint(&self, options: &BuildOptions) -> u64 {
+        // FNV-1a over words; parts are told apart, not defended.
+        let step = |hash: u64, word: u64| (hash ^ word).wrapping_mul(0x0000_0100_0000_01B3);
+        let values = self.features.rows.iter().map(|x| u64::from(x.to_bits()));
+        let budget = if self.keeps_all(options) {
+            options.edge_budget_bytes as u64
+        } else {
+            options.edges_per_frame as u64
+        };
+        let rest = [u64::from(self.min_jump), u64::from(self.keeps_all(options)), budget];
+        let frames = self.clip_frames.iter().map(|&n| u64::from(n));
+        frames.chain(rest).chain(values).fold(0xCBF2_9CE4_8422_2325, step)
+    }
+}
+
+/// The edges of `lists` that go to a later row, as pairs in any order. A cost just under τ may be
+/// rounded to above it, so they are not compared with τ again unless that was lowered.
+fn near_pairs(lists: &[DirectedEdges]) -> Vec<NearPair> {
+    let mut pairs = Vec::new();
+    for list in lists {
+        for row in 0..list.n_rows() {
+            let later = list.of(row).filter(|&(to, _)| to > row as u32);
+            pairs.extend(later.map(|(b, cost)| NearPair { a: row as u32, b, cost }));
         }
     }
-    Ok(MotionGraph {
-        metric: features.metric,
-        tau: near.tau,
-        min_jump: min_jump as u32,
-        clip_frames,
-        forest,
-        by_tau,
-        with_bridges: with_all,
+    pairs
+}
+
+/// The leaf edges of a graph by row, bridges left out; rows behind its own have none.
+fn known_edges(graph: &MotionGraph, n_rows: usize) -> DirectedEdges {
+    let mut starts = vec![0u32];
+    for &n in &graph.clip_frames {
+        starts.push(starts[starts.len() - 1] + n);
+    }
+    let mut by_clip: Vec<Vec<(u32, u32, f32)>> = Vec::new();
+    for clip in 0..graph.n_clips() {
+        let mut edges = Vec::new();
+        for pair in graph.pairs_from(crate::ids::ClipId::from_idx(clip)) {
+            let to = starts[pair.to.idx()];
+            let leaf = |edge: Edge| (edge.from_frame.0, to + edge.to_frame.0, edge.cost);
+            edges.extend(graph.leaves_in(pair.tau_nodes()).into_iter().map(leaf));
+        }
+        edges.sort_unstable_by_key(|&(from, to, _)| (from, to));
+        by_clip.push(edges);
+    }
+    DirectedEdges::collect(n_rows, |row, kept| {
+        let clip = starts.partition_point(|&start| start as usize <= row) - 1;
+        let Some(edges) = by_clip.get(clip) else { return };
+        let frame = row as u32 - starts[clip];
+        let first = edges.partition_point(|&(from, ..)| from < frame);
+        let own = edges[first..].iter().take_while(|&&(from, ..)| from == frame);
+        kept.extend(own.map(|&(_, to, cost)| (to, cost)));
     })
 }
 
@@ -171,145 +439,4 @@ fn quantile(values: &[f64], share: f64) -> f64 {
     let (_, &mut value, _) = values.select_nth_unstable_by(rank - 1, f64::total_cmp);
     // τ is exclusive (`C < τ`) and the frame at the rank itself shall have its neighbour.
     value.max(1e-9) * (1.0 + 1e-9)
-}
-
-/// Islands, clusters and trees of every pair of clips.
-fn grow_forest(
-    features: &FeatureSet,
-    near: Vec<NearPair>,
-    clip_frames: &[u32],
-    cancel: &CancelToken,
-) -> Result<Forest, BuildError> {
-    let by_pair = directed_edges(features, &near);
-    drop(near);
-    let trees: Vec<(ClipId, ClipId, ForestParts)> = by_pair
-        .into_par_iter()
-        .map(|ClipPairEdges { from, to, edges }| {
-            // Most trees are small, so there are nearly twice as many nodes as leaves.
-            let room = 2 * edges.len();
-            let mut parts = ForestParts {
-                from_frames: Vec::with_capacity(room),
-                to_frames: Vec::with_capacity(room),
-                costs: Vec::with_capacity(room),
-                n_leaves: Vec::with_capacity(room),
-                pairs: Vec::new(),
-            };
-            let mut scratch = Vec::new();
-            if !cancel.is_cancelled() {
-                for island in islands(&edges) {
-                    for mut cluster in clusters(&island) {
-                        grow_tree(&mut cluster, &mut parts, &mut scratch);
-                    }
-                }
-            }
-            (from, to, parts)
-        })
-        .collect();
-    if cancel.is_cancelled() {
-        return Err(Cancelled.into());
-    }
-    let n_nodes = trees.iter().map(|(_, _, parts)| parts.costs.len()).sum();
-    let mut all = ForestParts {
-        from_frames: Vec::with_capacity(n_nodes),
-        to_frames: Vec::with_capacity(n_nodes),
-        costs: Vec::with_capacity(n_nodes),
-        n_leaves: Vec::with_capacity(n_nodes),
-        pairs: Vec::with_capacity(trees.len()),
-    };
-    for (from, to, parts) in trees {
-        let first_node = all.costs.len() as u32;
-        all.from_frames.extend_from_slice(&parts.from_frames);
-        all.to_frames.extend_from_slice(&parts.to_frames);
-        all.costs.extend_from_slice(&parts.costs);
-        all.n_leaves.extend_from_slice(&parts.n_leaves);
-        let end_node = all.costs.len() as u32;
-        all.pairs.push(ClipPair { from, to, first_node, first_bridge: end_node, end_node });
-    }
-    Ok(Forest::from_parts(all, clip_frames)?)
-}
-
-/// Both directions of each near pair, grouped by clips and ordered by `(from, to)`.
-///
-/// Near pairs are ordered by their smaller row, so all edges between two clips come from the
-/// rows of the earlier one: clips can be taken side by side.
-fn directed_edges(features: &FeatureSet, near: &[NearPair]) -> Vec<ClipPairEdges> {
-    let starts = &features.frame_starts;
-    let mut grouped: Vec<ClipPairEdges> = (0..starts.len() - 1)
-        .into_par_iter()
-        .flat_map_iter(|clip| {
-            let first = near.partition_point(|pair| (pair.a as usize) < starts[clip]);
-            let end = near.partition_point(|pair| (pair.a as usize) < starts[clip + 1]);
-            edges_of_clip(features, clip, &near[first..end])
-        })
-        .collect();
-    grouped.sort_unstable_by_key(|pair| (pair.from, pair.to));
-    grouped
-}
-
-/// The edges of one ordered pair of clips.
-struct ClipPairEdges {
-    from: ClipId,
-    to: ClipId,
-    edges: Vec<Edge>,
-}
-
-/// The edges between `clip` and itself or later clips, both ways.
-fn edges_of_clip(features: &FeatureSet, clip: usize, near: &[NearPair]) -> Vec<ClipPairEdges> {
-    let starts = &features.frame_starts;
-    let mut by_other: BTreeMap<usize, Vec<(u32, u32, f32)>> = BTreeMap::new();
-    let mut next = 0;
-    while next < near.len() {
-        // Near pairs of one row come clip by clip.
-        let other = features.clip_of_row(near[next].b as usize).0.idx();
-        let end = next
-            + near[next..].partition_point(|pair| {
-                pair.a == near[next].a && (pair.b as usize) < starts[other + 1]
-            });
-        let frames = near[next..end]
-            .iter()
-            .map(|pair| (pair.a - starts[clip] as u32, pair.b - starts[other] as u32, pair.cost));
-        by_other.entry(other).or_default().extend(frames);
-        next = end;
-    }
-    let edge = |from: u32, to: u32, cost: f32| Edge {
-        from_frame: FrameIdx(from),
-        to_frame: FrameIdx(to),
-        cost,
-    };
-    let mut pairs = Vec::new();
-    for (other, frames) in by_other {
-        let there = frames.iter().map(|&(i, j, cost)| edge(i, j, cost));
-        let back = frames.iter().map(|&(i, j, cost)| edge(j, i, cost));
-        let (clip, other) = (ClipId::from_idx(clip), ClipId::from_idx(other));
-        if clip == other {
-            pairs.push(ClipPairEdges { from: clip, to: clip, edges: there.chain(back).collect() });
-        } else {
-            pairs.push(ClipPairEdges { from: clip, to: other, edges: there.collect() });
-            pairs.push(ClipPairEdges { from: other, to: clip, edges: back.collect() });
-        }
-    }
-    for pair in &mut pairs {
-        pair.edges.sort_unstable_by_key(|edge| (edge.from_frame, edge.to_frame));
-    }
-    pairs
-}
-
-/// Appends the tree over `edges` in depth-first order.
-fn grow_tree(edges: &mut [Edge], parts: &mut ForestParts, scratch: &mut Vec<Edge>) {
-    let mut push = |edge: Edge, n_leaves: usize| {
-        parts.from_frames.push(edge.from_frame.0);
-        parts.to_frames.push(edge.to_frame.0);
-        parts.costs.push(edge.cost);
-        parts.n_leaves.push(n_leaves as u32);
-    };
-    if let [leaf] = edges {
-        push(*leaf, 1);
-        return;
-    }
-    let moments = Moments::of(edges);
-    push(moments.mean_edge(), edges.len());
-    let second = split_in_two(edges, &moments, scratch);
-    let (first, second) = edges.split_at_mut(second);
-    grow_tree(first, parts, scratch);
-    grow_tree(second, parts, scratch);
 }

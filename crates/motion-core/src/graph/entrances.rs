@@ -20,6 +20,10 @@ pub const WITHIN: u32 = 9;
 /// Frames of the library that are compared with each of a clip's first or last at first.
 const MAX_ROWS: usize = 20_000;
 
+/// Valleys of which the bottom is looked for, the lowest of those that were found at first: with
+/// thousands of clips most are far too high.
+const MAX_VALLEYS: usize = 1024;
+
 /// Bridges for every clip of which a part can only be shown at a motion's start or end.
 pub fn find_entrances(
     features: &FeatureSet,
@@ -31,6 +35,9 @@ pub fn find_entrances(
     let stride = (n_frames / MAX_ROWS).max(3);
     let find = |clip: usize| {
         let n = clip_frames[clip];
+        // Copies of the take are likest at the same moment, where a cut is none.
+        let hand = |clip: usize| features.families.hand(ClipId::from_idx(clip));
+        let is_other = |other: usize| hand(other) != hand(clip);
         let mut found = Vec::new();
         if n < 2 * WITHIN {
             return found;
@@ -38,7 +45,7 @@ pub fn find_entrances(
         if connectivity.reachable_from[clip] > WITHIN {
             // From frames that have themselves been reached, and at least one of which is shown.
             let others = |other: usize| {
-                (other != clip).then(|| connectivity.reachable_from[other] + 1..clip_frames[other])
+                is_other(other).then(|| connectivity.reachable_from[other] + 1..clip_frames[other])
             };
             let valleys = valleys(features, clip, 0..WITHIN, clip_frames, others, stride);
             found.extend(cuts(valleys, |own, (other, frame)| bridge((other, frame), own)));
@@ -46,7 +53,7 @@ pub fn find_entrances(
         if connectivity.dead_from[clip] < n - WITHIN {
             let others = |other: usize| {
                 let end = connectivity.dead_from[other].min(clip_frames[other]);
-                (other != clip).then(|| 0..end.saturating_sub(1))
+                is_other(other).then(|| 0..end.saturating_sub(1))
             };
             let valleys = valleys(features, clip, n - WITHIN..n, clip_frames, others, stride);
             found.extend(cuts(valleys, bridge));
@@ -89,7 +96,7 @@ fn valleys(
     let row = |(clip, frame): Frame| features.frame_starts[clip] + frame as usize;
     let cost = |own: u32, other: Frame| features.cost(row((clip, own)), row(other));
     let middle = (own.start + own.end) / 2;
-    let mut found = Vec::new();
+    let mut starts = Vec::new();
     for other in 0..clip_frames.len() {
         let Some(range) = others(other).filter(|range| !range.is_empty()) else { continue };
         let coarse: Vec<(u32, f64)> =
@@ -100,26 +107,35 @@ fn valleys(
             if beside.any(|&(_, there)| there < here) {
                 continue;
             }
-            // To the bottom, along both clips.
-            let (mut at, mut least) = ((middle, frame), here);
-            loop {
-                let before = at;
-                for a in before.0.saturating_sub(1)..=before.0 + 1 {
-                    for b in before.1.saturating_sub(1)..=before.1 + 1 {
-                        if own.contains(&a) && range.contains(&b) {
-                            let value = cost(a, (other, b));
-                            if value < least {
-                                (at, least) = ((a, b), value);
-                            }
+            starts.push((here, other, frame));
+        }
+    }
+    if starts.len() > MAX_VALLEYS {
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        starts.truncate(MAX_VALLEYS);
+    }
+    let mut found = Vec::new();
+    for (here, other, frame) in starts {
+        let Some(range) = others(other) else { continue };
+        // To the bottom, along both clips.
+        let (mut at, mut least) = ((middle, frame), here);
+        loop {
+            let before = at;
+            for a in before.0.saturating_sub(1)..=before.0 + 1 {
+                for b in before.1.saturating_sub(1)..=before.1 + 1 {
+                    if own.contains(&a) && range.contains(&b) {
+                        let value = cost(a, (other, b));
+                        if value < least {
+                            (at, least) = ((a, b), value);
                         }
                     }
                 }
-                if at == before {
-                    break;
-                }
             }
-            found.push((least, (clip, at.0), (other, at.1)));
+            if at == before {
+                break;
+            }
         }
+        found.push((least, (clip, at.0), (other, at.1)));
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     found

@@ -10,17 +10,19 @@ pub mod bridges;
 #[cfg(test)]
 mod brute;
 pub mod build;
+mod clip_costs;
 mod cluster;
 pub mod components;
 pub mod entrances;
 pub mod forest;
+mod grow;
 mod islands;
 
 use std::ops::Range;
 
 use crate::ids::ClipId;
 use crate::similarity::Metric;
-pub use build::{BuildError, BuildOptions, TauRule, build};
+pub use build::{BuildError, BuildOptions, GraphPart, TauRule, build, build_part, extend, merge};
 pub use components::Connectivity;
 pub use forest::{ClipPair, Edge, EdgeId, Forest};
 

@@ -38,7 +38,9 @@ struct PairCuts {
     to: ClipId,
     first_bridge: u32,
     leaves: Range<u32>,
-    chosen: Range<u32>,
+    /// `None` where every tree is a single leaf, so that all leaves are chosen: in large
+    /// libraries most pairs.
+    chosen: Option<Range<u32>>,
     cheapest: f32,
 }
 
@@ -63,8 +65,9 @@ pub struct SearchLibrary {
     pair_starts: Vec<u32>,
     /// For each clip, the clips it is entered from and where their pair stands in `pairs`.
     pairs_into: Vec<Vec<(ClipId, u32)>>,
-    /// Roots of trees (the graph G′) that leave each clip, by the frame left.
-    coarse_out: Vec<Vec<(ClipId, Cut)>>,
+    /// Roots of trees (the graph G′) that leave each clip, by the frame left. `None` where all
+    /// are leaves, and so the chosen cuts.
+    coarse_out: Vec<Option<Vec<(ClipId, Cut)>>>,
     /// Chosen cuts that leave each clip, by the frame left: `(entered clip, cut)`.
     out: Vec<Vec<(ClipId, Cut)>>,
     /// Chosen cuts that enter each clip, cheapest first: `(left clip, cut)`.
@@ -120,7 +123,7 @@ impl SearchLibrary {
             pairs: Vec::with_capacity(forest.pairs().len()),
             pair_starts: vec![0; graph.n_clips() + 1],
             pairs_into: vec![Vec::new(); graph.n_clips()],
-            coarse_out: vec![Vec::new(); graph.n_clips()],
+            coarse_out: vec![None; graph.n_clips()],
             out: vec![Vec::new(); graph.n_clips()],
             into: vec![Vec::new(); graph.n_clips()],
             joints_in_torso,
@@ -131,27 +134,38 @@ impl SearchLibrary {
             graph: Arc::clone(&graph),
         };
         library.leaves_the_floor = library.support.iter().any(SupportCost::leaves_the_floor);
+        // Lists that are needed beside the chosen cuts: those in which a root is no leaf.
+        for pair in forest.pairs() {
+            let nodes = pair.first_node..pair.end_node;
+            if nodes.map(EdgeId).any(|id| !forest.is_leaf(id)) {
+                library.coarse_out[pair.from.idx()] = Some(Vec::new());
+            }
+        }
         // All lists at once would take as much memory as what is made of them.
         for batch in forest.pairs().chunks(PAIRS_AT_ONCE) {
             let lists: Vec<(Vec<Cut>, Vec<Cut>, Vec<Cut>)> =
                 batch.par_iter().map(cuts_of).collect();
             for (pair, (leaves, chosen, coarse)) in batch.iter().zip(lists) {
                 library.pair_starts[pair.from.idx() + 1] += 1;
-                library.coarse_out[pair.from.idx()]
-                    .extend(coarse.iter().map(|&cut| (pair.to, cut)));
+                if let Some(out) = &mut library.coarse_out[pair.from.idx()] {
+                    out.extend(coarse.iter().map(|&cut| (pair.to, cut)));
+                }
                 library.into[pair.to.idx()].extend(chosen.iter().map(|&cut| (pair.from, cut)));
                 library.out[pair.from.idx()].extend(chosen.iter().map(|&cut| (pair.to, cut)));
                 let first_leaf = library.leaves.len() as u32;
                 let first_chosen = library.chosen.len() as u32;
                 let cheapest = chosen.iter().map(|cut| cut.cost).fold(f32::INFINITY, f32::min);
+                let is_flat = leaves.len() == chosen.len();
                 library.leaves.extend(leaves);
-                library.chosen.extend(chosen);
+                if !is_flat {
+                    library.chosen.extend(chosen);
+                }
                 library.pairs_into[pair.to.idx()].push((pair.from, library.pairs.len() as u32));
                 library.pairs.push(PairCuts {
                     to: pair.to,
                     first_bridge: pair.first_bridge,
                     leaves: first_leaf..library.leaves.len() as u32,
-                    chosen: first_chosen..library.chosen.len() as u32,
+                    chosen: (!is_flat).then_some(first_chosen..library.chosen.len() as u32),
                     cheapest,
                 });
             }
@@ -159,14 +173,15 @@ impl SearchLibrary {
         for clip in 0..graph.n_clips() {
             library.pair_starts[clip + 1] += library.pair_starts[clip];
         }
-        for out in library.out.iter_mut().chain(&mut library.coarse_out) {
+        let coarse_out = library.coarse_out.par_iter_mut().flatten();
+        library.out.par_iter_mut().chain(coarse_out).for_each(|out| {
             out.sort_unstable_by_key(|(to, cut)| (cut.from, *to, cut.id));
             out.shrink_to_fit();
-        }
-        for into in &mut library.into {
+        });
+        library.into.par_iter_mut().for_each(|into| {
             into.sort_unstable_by(|(_, a), (_, b)| a.cost.total_cmp(&b.cost).then(a.id.cmp(&b.id)));
             into.shrink_to_fit();
-        }
+        });
         library.chosen.shrink_to_fit();
         library
     }
@@ -218,7 +233,7 @@ impl SearchLibrary {
     /// Edges of the coarsest graph that leave `clip`, ordered by the frame left.
     #[inline]
     pub(crate) fn coarse_out(&self, clip: ClipId) -> &[(ClipId, Cut)] {
-        &self.coarse_out[clip.idx()]
+        self.coarse_out[clip.idx()].as_ref().unwrap_or(&self.out[clip.idx()])
     }
 
     /// Chosen cuts that leave `clip`, ordered by the frame left.
@@ -259,7 +274,10 @@ impl SearchLibrary {
         PairView {
             first_bridge: pair.first_bridge,
             leaves: &self.leaves[range(&pair.leaves)],
-            chosen: &self.chosen[range(&pair.chosen)],
+            chosen: match &pair.chosen {
+                Some(chosen) => &self.chosen[range(chosen)],
+                None => &self.leaves[range(&pair.leaves)],
+            },
             cheapest: pair.cheapest,
         }
     }

@@ -12,7 +12,9 @@ use rayon::prelude::*;
 
 use super::features::FeatureSet;
 use super::product::row_products;
+use super::shard::Shard;
 use crate::cancel::{CancelToken, Cancelled};
+use crate::ids::ClipId;
 
 /// Rows and columns of a block of products: 1 MiB of f32, which stays in a core's cache.
 pub const BLOCK: usize = 512;
@@ -35,9 +37,10 @@ pub struct NearPair {
 /// The nearest rows between clips.
 #[derive(Clone, Debug)]
 pub struct Nearest {
-    /// For each row, the least cost to a row of another clip (`∞` in a set of one clip).
-    pub other_clip: Vec<f64>,
-    /// For clips `a`, `b` the least cost between their rows, at `a · n_clips + b` (symmetric).
+    /// For each row, the least cost to a row of a clip of another family (`∞` without one).
+    pub other_family: Vec<f64>,
+    /// For clips `a`, `b` the least cost of a cut between their rows, at `a · n_clips + b`
+    /// (symmetric). What shows the same moment is no cut.
     pub clip_pair: Vec<f32>,
 }
 
@@ -67,6 +70,14 @@ impl<'a> Blocks<'a> {
         block * BLOCK..((block + 1) * BLOCK).min(self.features.n_rows())
     }
 
+    fn is_same_moment(&self, a: usize, b: usize, min_jump: u32) -> bool {
+        let frame = |row: usize| {
+            let clip = self.clip_of_row[row] as usize;
+            (ClipId::from_idx(clip), (row - self.features.frame_starts[clip]) as u32)
+        };
+        self.features.families.is_same_moment(frame(a), frame(b), min_jump)
+    }
+
     /// Products of the rows of block `a` with those of block `b`, row-major.
     fn products(&self, a: usize, b: usize, out: &mut Vec<f32>) {
         let (rows_a, rows_b) = (self.range(a), self.range(b));
@@ -87,13 +98,14 @@ fn packed(cost: f32, row: usize) -> u64 {
     (u64::from(cost.max(0.0).to_bits()) << 32) | row as u64
 }
 
-/// The nearest row in another clip for each row, and the nearest pair for each two clips.
+/// The nearest row of another family for each row, and the nearest pair for each two clips.
 ///
-/// Costs of [`Nearest::other_clip`] are recomputed in f64 for the pair that the f32 screen found
+/// Costs of [`Nearest::other_family`] are recomputed in f64 for the pair that the f32 screen found
 /// nearest; those of [`Nearest::clip_pair`] are the screen's own, within 1e-4 of τ-sized costs.
 /// `progress` hears the share of all pairs that is done, from any thread.
 pub fn nearest(
     features: &FeatureSet,
+    min_jump: u32,
     cancel: &CancelToken,
     progress: &(dyn Fn(f32) + Sync),
 ) -> Result<Nearest, Cancelled> {
@@ -113,7 +125,7 @@ pub fn nearest(
                 break;
             }
             blocks.products(a, b, &mut products);
-            nearest_in_block(&blocks, (a, b), &products, &best, &clip_pair);
+            nearest_in_block(&blocks, (a, b), &products, min_jump, &best, &clip_pair);
         }
         // A block row is long enough that hearing of each costs nothing.
         let n_row = n_blocks - a;
@@ -123,7 +135,7 @@ pub fn nearest(
     if cancel.is_cancelled() {
         return Err(Cancelled);
     }
-    let other_clip = best
+    let other_family = best
         .par_iter()
         .enumerate()
         .map(|(row, best)| match best.load(Ordering::Relaxed) {
@@ -132,17 +144,18 @@ pub fn nearest(
         })
         .collect();
     let clip_pair = clip_pair.into_iter().map(|bits| f32::from_bits(bits.into_inner())).collect();
-    Ok(Nearest { other_clip, clip_pair })
+    Ok(Nearest { other_family, clip_pair })
 }
 
 fn nearest_in_block(
     blocks: &Blocks<'_>,
     (a, b): (usize, usize),
     products: &[f32],
+    min_jump: u32,
     best: &[AtomicU64],
     clip_pair: &[AtomicU32],
 ) {
-    let frame_starts = &blocks.features.frame_starts;
+    let (frame_starts, families) = (&blocks.features.frame_starts, &blocks.features.families);
     let n_clips = frame_starts.len() - 1;
     let columns = blocks.range(b);
     let mut column_best = vec![f32::INFINITY; columns.len()];
@@ -163,10 +176,24 @@ fn nearest_in_block(
             }
             let local = run.start - columns.start..run.end - columns.start;
             let (dots, norms) = (&line[local.clone()], &blocks.norms[run.clone()]);
-            let least = least_shifted(dots, norms);
+            let ids = [clip, other].map(ClipId::from_idx);
+            let least = if families.hand(ids[0]) == families.hand(ids[1]) {
+                let frame = |row: usize, clip: usize| (row - frame_starts[clip]) as u32;
+                let here = (ids[0], frame(row, clip));
+                let first = frame(run.start, other);
+                let cuts = (first..).zip(dots.iter().zip(norms)).filter(|&(there, _)| {
+                    !families.is_same_moment(here, (ids[1], there), min_jump)
+                });
+                cuts.map(|(_, (d, n))| n - 2.0 * d).fold(f32::INFINITY, f32::min)
+            } else {
+                least_shifted(dots, norms)
+            };
             let cost = (least + norm).max(0.0);
             for slot in [clip * n_clips + other, other * n_clips + clip] {
                 clip_pair[slot].fetch_min(cost.to_bits(), Ordering::Relaxed);
+            }
+            if families.family(ids[0]) == families.family(ids[1]) {
+                continue;
             }
             if cost < row_best.0 {
                 let there = dots.iter().zip(norms).position(|(d, n)| n - 2.0 * d == least);
@@ -220,29 +247,49 @@ pub struct NearPairs {
     pub tau: f64,
 }
 
-/// Every pair `a < b` with `cost < tau`, but for pairs of one clip that are fewer than
-/// `min_jump` frames apart.
+/// What is asked of [`pairs_below`].
+#[derive(Clone, Copy, Debug)]
+pub struct PairQuery {
+    /// Pairs cost less than this.
+    pub tau: f64,
+    /// Frames that show the same moment within this are no pair.
+    pub min_jump: u32,
+    /// About how many are kept.
+    pub max_pairs: usize,
+    /// Only pairs whose larger row is this or more: smaller ones are known.
+    pub first_new_row: usize,
+    /// Which block rows are looked at.
+    pub shard: Shard,
+}
+
+impl PairQuery {
+    /// All pairs under `tau`.
+    pub fn all(tau: f64, min_jump: u32) -> Self {
+        Self { tau, min_jump, max_pairs: usize::MAX, first_new_row: 0, shard: Shard::WHOLE }
+    }
+}
+
+/// Every pair `a < b` with `cost < tau`, but for pairs that show the same moment.
 ///
 /// Never keeps more than about `max_pairs`: where there are more, the threshold is lowered to
 /// the cost at which that many remain, and returned. Block rows are taken in batches in a fixed
 /// order, so the outcome does not depend on the number of threads.
 pub fn pairs_below(
     features: &FeatureSet,
-    tau: f64,
-    min_jump: usize,
-    max_pairs: usize,
+    query: &PairQuery,
     cancel: &CancelToken,
     progress: &(dyn Fn(f32) + Sync),
 ) -> Result<NearPairs, Cancelled> {
     const BATCH: usize = 16;
     let blocks = Blocks::new(features);
     let n_blocks = blocks.n_blocks();
-    let mut tau = tau;
+    let PairQuery { mut tau, max_pairs, shard, .. } = *query;
     let mut pairs: Vec<NearPair> = Vec::new();
     for batch in (0..n_blocks).step_by(BATCH) {
         let found: Vec<Vec<NearPair>> = (batch..(batch + BATCH).min(n_blocks))
             .into_par_iter()
-            .map(|a| block_row_below(&blocks, a, tau, min_jump, cancel))
+            .filter(|&a| shard.has(a))
+            .map(|a| block_row_below(&blocks, a, &PairQuery { tau, ..*query }, cancel))
             .collect();
         if cancel.is_cancelled() {
             return Err(Cancelled);
@@ -250,12 +297,7 @@ pub fn pairs_below(
         for found in found {
             pairs.extend(found);
         }
-        if pairs.len() > max_pairs {
-            let cheaper = |a: &NearPair, b: &NearPair| a.cost.total_cmp(&b.cost);
-            let (_, &mut pivot, _) = pairs.select_nth_unstable_by(max_pairs, cheaper);
-            tau = f64::from(pivot.cost);
-            pairs.retain(|pair| f64::from(pair.cost) < tau);
-        }
+        keep_cheapest(&mut pairs, &mut tau, max_pairs);
         // Rows of the triangle become shorter; the share is that of its area.
         let n_left = n_blocks - (batch + BATCH).min(n_blocks);
         let n_all = n_blocks * (n_blocks + 1);
@@ -265,18 +307,30 @@ pub fn pairs_below(
     Ok(NearPairs { pairs, tau })
 }
 
+/// Lowers `tau` to the cost at which no more than `max_pairs` remain, and drops the others.
+///
+/// What remains is the same whether pairs come at once or in parts that were cut down before.
+pub fn keep_cheapest(pairs: &mut Vec<NearPair>, tau: &mut f64, max_pairs: usize) {
+    if pairs.len() > max_pairs {
+        let cheaper = |a: &NearPair, b: &NearPair| a.cost.total_cmp(&b.cost);
+        let (_, &mut pivot, _) = pairs.select_nth_unstable_by(max_pairs, cheaper);
+        *tau = f64::from(pivot.cost);
+        pairs.retain(|pair| f64::from(pair.cost) < *tau);
+    }
+}
+
 fn block_row_below(
     blocks: &Blocks<'_>,
     a: usize,
-    tau: f64,
-    min_jump: usize,
+    query: &PairQuery,
     cancel: &CancelToken,
 ) -> Vec<NearPair> {
     let features = blocks.features;
+    let PairQuery { tau, min_jump, first_new_row, .. } = *query;
     let mut found = Vec::new();
     let mut products = Vec::new();
     let screen = tau as f32 * 1.001;
-    for b in a..blocks.n_blocks() {
+    for b in a.max(first_new_row / BLOCK)..blocks.n_blocks() {
         if cancel.is_cancelled() {
             return Vec::new();
         }
@@ -301,8 +355,7 @@ fn block_row_below(
                         continue;
                     }
                     let column = columns.start + chunk.start + offset;
-                    let same_clip = blocks.clip_of_row[row] == blocks.clip_of_row[column];
-                    if same_clip && column - row < min_jump {
+                    if column < first_new_row || blocks.is_same_moment(row, column, min_jump) {
                         continue;
                     }
                     let cost = features.cost(row, column);

@@ -4,6 +4,7 @@ use glam::{DVec3, Quat, Vec3};
 use rayon::prelude::*;
 
 use super::columns::{Column, ColumnSource};
+use super::families::Families;
 use crate::clip::{Clip, ClipSet};
 use crate::ids::ClipId;
 use crate::rotation;
@@ -42,25 +43,38 @@ pub struct FeatureSet {
     pub frame_starts: Vec<usize>,
     /// Rows, one after the other.
     pub rows: Vec<f32>,
+    /// Which clips are copies of one take.
+    pub families: Families,
 }
 
 impl FeatureSet {
     /// Features of every frame of `clips` by `columns`, with normalisers found from the clips.
     pub fn new(clips: &ClipSet, columns: Vec<Column>) -> Self {
-        let n_columns = columns.len();
-        let raw: Vec<Vec<DVec3>> = clips
-            .clips()
-            .par_iter()
-            .map(|clip| raw_columns(clips.skeleton(), clip, &columns))
-            .collect();
-        let width = 2 * n_columns;
-        let normalisers: Vec<f64> =
+        let raw = all_raw_columns(clips, &columns);
+        let width = 2 * columns.len();
+        let mut change: Vec<f64> =
             (0..width).into_par_iter().map(|column| normaliser(&raw, width, column)).collect();
+        let derivative_change = change.split_off(columns.len());
+        let metric = Metric { columns, change, derivative_change };
+        Self::of_raw(clips, &raw, metric, clips.clips().len())
+    }
+
+    /// Features of every frame of `clips` by a metric that is known: that of a library of the
+    /// first `n_old` of them, whose costs stay what they were.
+    pub fn by_metric(clips: &ClipSet, metric: Metric, n_old: usize) -> Self {
+        let raw = all_raw_columns(clips, &metric.columns);
+        Self::of_raw(clips, &raw, metric, n_old)
+    }
+
+    /// Rows from columns, less their mean over the first `n_mean` clips.
+    fn of_raw(clips: &ClipSet, raw: &[Vec<DVec3>], metric: Metric, n_mean: usize) -> Self {
+        let Metric { columns, change, derivative_change } = &metric;
+        let width = 2 * columns.len();
         let scales: Vec<f64> = columns
             .iter()
             .map(|c| c.weight)
             .chain(columns.iter().map(|c| c.derivative_weight))
-            .zip(&normalisers)
+            .zip(change.iter().chain(derivative_change))
             .map(|(weight, normaliser)| (weight / normaliser).sqrt())
             .collect();
 
@@ -68,9 +82,9 @@ impl FeatureSet {
         for clip in clips.clips() {
             frame_starts.push(frame_starts[frame_starts.len() - 1] + clip.n_frames());
         }
-        let n_rows = frame_starts[frame_starts.len() - 1];
+        let n_rows = frame_starts[n_mean];
         let mut mean = vec![DVec3::ZERO; width];
-        for clip in &raw {
+        for clip in &raw[..n_mean] {
             for row in clip.chunks_exact(width) {
                 for (sum, &value) in mean.iter_mut().zip(row) {
                     *sum += value;
@@ -90,12 +104,11 @@ impl FeatureSet {
                 })
             })
             .collect();
-        let metric = Metric {
-            columns,
-            change: normalisers[..n_columns].to_vec(),
-            derivative_change: normalisers[n_columns..].to_vec(),
-        };
-        Self { metric, n_dims: 3 * width, frame_starts, rows }
+        let clip_frames: Vec<u32> =
+            clips.clips().iter().map(|clip| clip.n_frames() as u32).collect();
+        let ids = clips.clips().iter().map(|clip| clip.id.as_str());
+        let families = Families::of_ids(ids, &clip_frames);
+        Self { metric, n_dims: 3 * width, frame_starts, rows, families }
     }
 
     /// How many frames there are in all.
@@ -137,6 +150,11 @@ impl FeatureSet {
         }
         (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
     }
+}
+
+fn all_raw_columns(clips: &ClipSet, columns: &[Column]) -> Vec<Vec<DVec3>> {
+    let raw = clips.clips().par_iter().map(|clip| raw_columns(clips.skeleton(), clip, columns));
+    raw.collect()
 }
 
 /// Values of every column and derivative column of `clip`, frame by frame, unnormalised.

@@ -4,6 +4,7 @@
 
 mod clips;
 mod graph;
+pub mod part;
 
 use std::path::Path;
 

@@ -19,7 +19,7 @@ fn graph_of(clips: &ClipSet) -> MotionGraph {
     build(clips, &BuildOptions::default(), &CancelToken::new(), &|_| ()).unwrap()
 }
 
-fn small() -> LibraryFile {
+pub(super) fn small() -> LibraryFile {
     let skeleton: Skeleton = body(1.0);
     let n = skeleton.n_joints();
     let clip = |name: &str, seed: f32| {

@@ -89,6 +89,7 @@ impl EditorState {
                 Selectable::Obstacle(obstacle) => {
                     Some(Command::RemoveObstacle { obstacle: *obstacle })
                 }
+                Selectable::Interaction(id) => Some(Command::RemoveInteraction { id: id.clone() }),
                 Selectable::Character(_) | Selectable::Take(..) => None,
             })
             .collect();

@@ -55,6 +55,7 @@ fn room_of(item: &Selectable, state: &EditorState) -> Option<Bounds> {
         Selectable::Character(character) | Selectable::Take(character, _) => {
             state.stage.actors.get(character.0)?.bounds_at(state.frame())
         }
+        Selectable::Interaction(_) => None,
         Selectable::Obstacle(obstacle) => {
             let scene = state.stage.scene_at(0.0, Default::default()).scene;
             let solid = scene.solids.get(obstacle.0)?;

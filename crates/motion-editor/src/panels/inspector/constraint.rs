@@ -74,7 +74,7 @@ pub(super) fn constraint_ui(ui: &mut Ui, mark: &Mark, state: &mut EditorState) {
             }
             span_ui(ui, at, (*from, *to), state);
         }
-        ConstraintKind::Path { from, to, points_m } => {
+        ConstraintKind::Path { from, to, points_m, .. } => {
             line_ui(ui, "Points", &points_m.len().to_string());
             span_ui(ui, at, (*from, *to), state);
         }

@@ -219,8 +219,10 @@ impl EditorApp {
                     });
                     ui.add_space(3.0 * theme::GRID);
                     right_tab::tab_bar_ui(ui, state);
+                    // What is selected now is seen from its top.
+                    let of = state.selected().cloned();
                     egui::ScrollArea::vertical()
-                        .id_salt("right tab")
+                        .id_salt(("right tab", of))
                         .auto_shrink(false)
                         .show(ui, |ui| right_tab::tab_ui(ui, state));
                 });

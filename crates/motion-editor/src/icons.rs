@@ -38,6 +38,12 @@ pub const CHECKPOINT: &str = "\u{e123}";
 pub const JOINT_TARGET: &str = "\u{e2d2}";
 /// The pose tool.
 pub const POSE: &str = "\u{e465}";
+/// The path tool.
+pub const PATH: &str = "\u{e38b}";
+/// The obstacle tool.
+pub const OBSTACLE: &str = "\u{e061}";
+/// Characters who meet.
+pub const MEETING: &str = "\u{e5c0}";
 /// Changed by hand; the tool that does it.
 pub const HAND: &str = "\u{e1d7}";
 /// Adds something.

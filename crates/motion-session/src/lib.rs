@@ -51,7 +51,7 @@ pub use session::Session;
 pub use motion_io::diagnostic::{FileError, Warnings};
 pub use motion_io::project_file::{
     Constraint, ConstraintKind, Interaction, LengthMode, LockedPiece, Member, Obstacle, Palette,
-    PathHeading, Placement, Project, Shape, Tolerance, load as load_project,
+    PathHeading, Placement, Project, Shape, Tolerance, load as load_project, save as save_project,
 };
 pub use motion_io::report_file::{
     AlternativeReport, ConstraintReport, SeamReport, SuggestionReport,

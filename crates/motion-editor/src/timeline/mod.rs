@@ -15,6 +15,7 @@ pub mod hand_row;
 pub mod length_handle;
 pub mod loop_band;
 pub mod mark_shape;
+pub mod meet_row;
 pub mod navigate;
 pub mod other_rows;
 pub mod point_row;
@@ -25,6 +26,7 @@ pub mod row;
 pub mod rows;
 pub mod ruler;
 pub mod sheet;
+pub mod style_drag;
 pub mod take_drop;
 pub mod time_unit;
 pub mod transport;
@@ -184,6 +186,7 @@ fn rows_ui(
             Row::Source => ribbon::ribbon_ui(sheet, place),
             Row::Body | Row::Joint(_) | Row::Pose => point_row::point_row_ui(sheet, row, place),
             Row::Style | Row::Path | Row::Locked => bar_row::bar_row_ui(sheet, row, place),
+            Row::Meetings => meet_row::meet_row_ui(sheet, place),
             Row::ByHand(_) => hand_row::hand_row_ui(sheet, place),
             Row::Foot(side) => feet_rows::foot_row_ui(sheet, *side, place),
             Row::Curves => {}

@@ -112,9 +112,10 @@ fn is_target(target: motion_session::stage::pick::PickTarget, mark: &Mark) -> bo
         P::Checkpoint { character, constraint }
         | P::CheckpointTip { character, constraint }
         | P::JointTarget { character, constraint }
-        | P::Pose { character, constraint } => {
+        | P::Pose { character, constraint }
+        | P::Path { character, constraint } => {
             (character, constraint) == (mark.at.character.0, mark.index)
         }
-        P::Actor { .. } | P::Ghost { .. } | P::Obstacle { .. } => false,
+        P::Actor { .. } | P::Ghost { .. } | P::Obstacle { .. } | P::Meeting { .. } => false,
     }
 }

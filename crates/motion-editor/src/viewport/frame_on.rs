@@ -55,7 +55,13 @@ fn room_of(item: &Selectable, state: &EditorState) -> Option<Bounds> {
         Selectable::Character(character) | Selectable::Take(character, _) => {
             state.stage.actors.get(character.0)?.bounds_at(state.frame())
         }
-        Selectable::Interaction(_) => None,
+        Selectable::Interaction(id) => {
+            let places = &state.meeting_wish(id)?.places;
+            let feet = places.iter().map(|place| place.translation_m());
+            let feet: Vec<Vec3> = feet.collect();
+            let room = Bounds::of_points(&feet)?.grown(AROUND_M);
+            Some(Bounds { min_m: room.min_m.with_y(0.0), ..room })
+        }
         Selectable::Obstacle(obstacle) => {
             let scene = state.stage.scene_at(0.0, Default::default()).scene;
             let solid = scene.solids.get(obstacle.0)?;

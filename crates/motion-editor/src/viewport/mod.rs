@@ -498,11 +498,13 @@ impl ViewportPanel {
 }
 
 /// The few things that are switched in the view itself.
-const TOGGLES: [(&str, UiCommand); 6] = [
+const TOGGLES: [(&str, UiCommand); 8] = [
     (icons::SELECT, UiCommand::SelectTool),
     (icons::CHECKPOINT, UiCommand::CheckpointTool),
     (icons::JOINT_TARGET, UiCommand::JointTargetTool),
     (icons::POSE, UiCommand::PoseTool),
+    (icons::PATH, UiCommand::PathTool),
+    (icons::OBSTACLE, UiCommand::ObstacleTool),
     (icons::HAND, UiCommand::ByHandTool),
     (icons::GHOSTS, UiCommand::Ghosts),
 ];

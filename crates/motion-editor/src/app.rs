@@ -90,12 +90,13 @@ impl EditorApp {
         let is_asking = self.files.is_asking() || self.export.is_open() || self.palette.is_open();
         if !is_asking {
             self.close_on_escape(ctx);
+            self.timeline.take_keys(ctx);
             self.viewport.take_keys(ctx, &mut self.state);
             commands.extend(self.timeline.pressed(ctx));
             commands.extend(pressed(ctx));
         }
         for command in commands {
-            if self.state.run(command) || self.timeline.run(command, &self.state) {
+            if self.state.run(command) || self.timeline.run(command, &mut self.state) {
                 continue;
             }
             match command {

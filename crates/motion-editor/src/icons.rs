@@ -28,8 +28,6 @@ pub const FOLLOW: &str = "\u{e1db}";
 pub const FRAME: &str = "\u{e257}";
 /// The way over the floor.
 pub const TRAIL: &str = "\u{e53e}";
-/// Other moments of the same motion.
-pub const GHOSTS: &str = "\u{e21e}";
 /// The select tool.
 pub const SELECT: &str = "\u{e1c3}";
 /// The checkpoint tool.

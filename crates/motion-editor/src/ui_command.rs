@@ -36,6 +36,7 @@ pub enum UiCommand {
     Duplicate,
     RetimeBack,
     RetimeAhead,
+    ScaleTimes,
     SelectTool,
     CheckpointTool,
     JointTargetTool,
@@ -190,7 +191,7 @@ pub fn menus() -> Vec<Menu> {
             vec![
                 vec![C::Undo, C::Redo],
                 vec![C::Delete, C::Duplicate, C::MoveSelection, C::TurnSelection],
-                vec![C::RetimeBack, C::RetimeAhead],
+                vec![C::RetimeBack, C::RetimeAhead, C::ScaleTimes],
                 vec![C::SelectAll, C::SelectNone, C::BoxSelect],
                 vec![
                     C::SelectTool,

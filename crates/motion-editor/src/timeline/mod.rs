@@ -25,6 +25,7 @@ pub mod ribbon;
 pub mod row;
 pub mod rows;
 pub mod ruler;
+pub mod scale;
 pub mod sheet;
 pub mod style_drag;
 pub mod take_drop;
@@ -42,6 +43,7 @@ use axis::Axis;
 use curve_rows::PathErrors;
 use drag::Drag;
 use rows::{Layout, Row, rows_of};
+use scale::Scale;
 use sheet::Sheet;
 
 /// Names of rows stand left of them, points.
@@ -56,6 +58,7 @@ pub struct TimelinePanel {
     n_frames: usize,
     scroll_pt: f32,
     drag: Option<Drag>,
+    scale: Option<Scale>,
     /// Where the context menu of the ground was opened.
     menu_at: Option<(usize, bool)>,
     /// Whether the pointer is over the panel.
@@ -67,8 +70,12 @@ pub struct TimelinePanel {
 
 impl TimelinePanel {
     /// Does a command that changes what of the motion is shown; gives whether it was one.
-    pub fn run(&mut self, command: UiCommand, state: &EditorState) -> bool {
+    pub fn run(&mut self, command: UiCommand, state: &mut EditorState) -> bool {
         let factor = match command {
+            UiCommand::ScaleTimes => {
+                self.scale = Scale::begin(state);
+                return true;
+            }
             UiCommand::FitTimeline => {
                 self.axis = None;
                 return true;
@@ -82,6 +89,13 @@ impl TimelinePanel {
             axis.zoom_at(axis.x_of(state.frame()), factor, self.n_frames);
         }
         true
+    }
+
+    /// Takes the keys that mean what is under way here, before they mean anything else.
+    pub fn take_keys(&mut self, ctx: &egui::Context) {
+        if let Some(scale) = &mut self.scale {
+            scale.take_keys(ctx);
+        }
     }
 
     /// The commands of keys that mean something else while the pointer is here.
@@ -140,6 +154,7 @@ impl TimelinePanel {
         self.ground_ui(ui, &ground, window, lanes, state);
         let Some(axis) = &mut self.axis else { return };
         self.drag = self.drag.take().and_then(|drag| drag.ui(ui, axis, lanes, state));
+        self.scale = self.scale.take().and_then(|scale| scale.ui(ui, axis, lanes, state));
         let can_scroll = max_scroll > 0.0;
         let by = navigate::navigate_ui(ui, &ground, (panel, lanes), axis, can_scroll, state);
         self.scroll_pt = (self.scroll_pt + by).clamp(0.0, max_scroll);

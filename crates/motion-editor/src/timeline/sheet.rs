@@ -1,6 +1,8 @@
 //! What all rows are drawn with.
 
 use egui::{Painter, Pos2, Rect, Response, Ui, Vec2};
+use motion_session::ConstraintKind;
+use motion_session::command::Command;
 use motion_session::document::ConstraintRef;
 
 use super::action::Action;
@@ -75,8 +77,13 @@ impl<'a> Sheet<'a> {
         }
         if response.secondary_clicked() || response.context_menu_opened() {
             let at = mark.at.clone();
-            let actions = &mut self.actions;
-            response.context_menu(|ui| mark_menu_ui(ui, &at, mark.frame(), actions));
+            let (actions, state) = (&mut self.actions, self.state);
+            response.context_menu(|ui| {
+                mark_menu_ui(ui, &at, mark.frame(), actions);
+                if let ConstraintKind::Style { tag, .. } = &mark.constraint.kind {
+                    tag_menu_ui(ui, (&at, tag), state, actions);
+                }
+            });
         }
     }
 
@@ -101,6 +108,23 @@ fn mark_menu_ui(ui: &mut Ui, at: &ConstraintRef, frame: usize, actions: &mut Vec
     for command in [C::Duplicate, C::Delete] {
         if ui.button(command.label()).clicked() {
             actions.push(Action::With(at.clone(), command));
+        }
+    }
+}
+
+/// Other tags for a style.
+fn tag_menu_ui(
+    ui: &mut Ui,
+    (at, tag): (&ConstraintRef, &str),
+    state: &EditorState,
+    actions: &mut Vec<Action>,
+) {
+    ui.separator();
+    for (known, n) in motion_session::clip_rows::tag_counts(&state.clips) {
+        if ui.selectable_label(known == tag, format!("{known} ({n} clips)")).clicked() {
+            let (at, tag) = (at.clone(), known);
+            actions.push(Action::Do(vec![Command::SetTag { at, tag }]));
+            ui.close();
         }
     }
 }

@@ -37,7 +37,9 @@ impl UiCommand {
                 };
                 has_hand || state.session.selection().items(document).any(can_move)
             }
-            Self::RetimeBack | Self::RetimeAhead => state.selected_marks().next().is_some(),
+            Self::RetimeBack | Self::RetimeAhead | Self::ScaleTimes => {
+                state.selected_marks().next().is_some()
+            }
             Self::Duplicate => {
                 let is_obstacle = matches!(state.selected(), Some(Selectable::Obstacle(_)));
                 is_obstacle || state.selected_marks().next().is_some()

@@ -60,6 +60,10 @@ impl UiCommand {
             Self::RetimeAhead => {
                 ("Selection one frame later", "Brings what is selected to a later frame")
             }
+            Self::ScaleTimes => (
+                "Scale times",
+                "Draws the times of what is selected out or together about the playhead; digits say by what",
+            ),
             Self::SelectTool => {
                 ("Select tool", "Select and drag what is there; drag elsewhere to orbit")
             }

@@ -15,6 +15,7 @@ mod styles;
 mod takes;
 mod timeline;
 mod timeline_cost;
+mod times;
 mod tools;
 mod why;
 mod window;

@@ -49,6 +49,8 @@ pub(super) enum Doing {
     Pose(Pos2),
     /// A box is drawn.
     Box(Pos2),
+    /// Time goes with the pointer: the moment and the place at which it began.
+    Shuttle(f64, Pos2),
     /// What is selected follows the pointer.
     Modal(Modal),
     /// It is over, but the button is still down.

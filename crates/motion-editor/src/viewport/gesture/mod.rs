@@ -43,6 +43,8 @@ use stroke::Stroke;
 
 /// A drag begins when the pointer has gone so far, points: a click moves nothing.
 const DRAG_PT: f32 = 6.0;
+/// Where time goes with the pointer, a frame takes so many points.
+const PT_PER_FRAME: f32 = 4.0;
 
 /// What mouse and keys are doing to the project.
 #[derive(Debug, Default)]
@@ -211,6 +213,9 @@ impl Gesture {
         if std::mem::take(&mut self.box_is_due) {
             return Doing::Box(mouse.at);
         }
+        if mouse.is_shuttling {
+            return Doing::Shuttle(state.frame(), mouse.at);
+        }
         if let Some(handle) = &self.handle {
             if !mouse.has_ctrl {
                 return Doing::Pressed(mouse.at, Grab::Handle(handle.clone()));
@@ -279,6 +284,11 @@ impl Gesture {
                 if !commands.is_empty() {
                     state.preview(&commands);
                 }
+            }
+            if let Doing::Shuttle(frame, from) = doing {
+                let by = f64::from((mouse.at.x - from.x) / PT_PER_FRAME);
+                let to = (frame + by).round().clamp(0.0, state.last_frame() as f64);
+                state.stop_at(to as usize);
             }
             if let Doing::Pose(from) = doing
                 && from.distance(mouse.at) > DRAG_PT

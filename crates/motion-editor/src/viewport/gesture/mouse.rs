@@ -16,6 +16,7 @@ pub(super) struct Mouse {
     pub(super) has_alt: bool,
     pub(super) has_ctrl: bool,
     pub(super) is_lifting: bool,
+    pub(super) is_shuttling: bool,
 }
 
 impl Mouse {
@@ -31,6 +32,7 @@ impl Mouse {
             is_snapping: input.modifiers.shift,
             has_alt: input.modifiers.alt,
             has_ctrl: input.modifiers.ctrl,
+            is_shuttling: input.key_down(Key::K),
             is_lifting: input.key_down(Key::Z) || input.key_down(Key::Y),
         })
     }

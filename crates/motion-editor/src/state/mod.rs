@@ -36,7 +36,7 @@ use motion_session::stage::{Role, Stage};
 use motion_session::{Palette, Session};
 
 use crate::dialogs::Answers;
-use crate::mark::{Mark, marks_of};
+use crate::mark::{Mark, Unknown, marks_of};
 use crate::notices::Notices;
 use crate::obstacle_form::ObstacleForm;
 use crate::panels::right_tab::RightTab;
@@ -283,7 +283,12 @@ impl EditorState {
         }
         let role = self.stage.roles.get(self.session.active().0);
         let misses = role.map_or(&[][..], |role| role.misses.as_slice());
-        self.marks = marks_of(self.session.document(), self.session.active(), misses);
+        let mut marks = marks_of(self.session.document(), self.session.active(), misses);
+        let remarks = self.remarks();
+        for mark in &mut marks {
+            mark.unknown = Unknown::of(&mark.constraint, misses, remarks);
+        }
+        self.marks = marks;
     }
 
     /// Lists the clips anew where library or palette are others than before.

@@ -8,6 +8,7 @@ use motion_session::document::ConstraintRef;
 use super::axis::Axis;
 use super::retime::is_stretch;
 use crate::mark::Mark;
+use crate::settings::Tool;
 use crate::state::EditorState;
 use crate::theme;
 use crate::viewport::gesture::plate_ui;
@@ -49,6 +50,8 @@ impl Scale {
         if held.is_empty() {
             return None;
         }
+        // The click that ends it must not be another tool's.
+        state.settings.tool = Tool::Select;
         let about = state.frame_number() as f64;
         state.begin_gesture("Scale times");
         Some(Self { held, about, from_x: None, typed: String::new(), keys: Vec::new() })

@@ -15,7 +15,7 @@ use motion_core::score::Wishes;
 use motion_core::search::Problem;
 use motion_core::units::FrameIdx;
 use motion_io::diagnostic::Warnings;
-use motion_io::project_file::{self, Character, Constraint, ConstraintKind, Shape};
+use motion_io::project_file::{self, Character, Constraint, ConstraintKind, PathHeading, Shape};
 
 /// The sample that asks for what cannot be.
 const IMPOSSIBLE: &str = "09";
@@ -143,11 +143,11 @@ fn add(wishes: &mut Wishes, constraint: &Constraint, clips: &ClipSet) -> anyhow:
                 by_hand: Default::default(),
             });
         }
-        ConstraintKind::Path { from, to, points_m } => {
+        ConstraintKind::Path { from, to, points_m, heading } => {
             let points_m = points_m.iter().copied().map(ground).collect();
             wishes.follows.push(FollowConstraint {
                 weight,
-                looks_along: false,
+                looks_along: *heading == PathHeading::Along,
                 ..FollowConstraint::new(*from, *to, points_m)
             });
         }

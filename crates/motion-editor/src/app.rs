@@ -93,12 +93,13 @@ impl EditorApp {
         let is_asking = self.files.is_asking() || self.export.is_open() || self.palette.is_open();
         if !is_asking {
             self.close_on_escape(ctx);
+            self.timeline.take_keys(ctx);
             self.viewport.take_keys(ctx, &mut self.state);
             commands.extend(self.timeline.pressed(ctx));
             commands.extend(pressed(ctx));
         }
         for command in commands {
-            if self.state.run(command) || self.timeline.run(command, &self.state) {
+            if self.state.run(command) || self.timeline.run(command, &mut self.state) {
                 continue;
             }
             match command {
@@ -228,8 +229,10 @@ impl EditorApp {
                     });
                     ui.add_space(3.0 * theme::GRID);
                     right_tab::tab_bar_ui(ui, state);
+                    // What is selected now is seen from its top.
+                    let of = state.selected().cloned();
                     egui::ScrollArea::vertical()
-                        .id_salt("right tab")
+                        .id_salt(("right tab", of))
                         .auto_shrink(false)
                         .show(ui, |ui| right_tab::tab_ui(ui, state));
                 });

@@ -28,8 +28,6 @@ pub const FOLLOW: &str = "\u{e1db}";
 pub const FRAME: &str = "\u{e257}";
 /// The way over the floor.
 pub const TRAIL: &str = "\u{e53e}";
-/// Other moments of the same motion.
-pub const GHOSTS: &str = "\u{e21e}";
 /// The select tool.
 pub const SELECT: &str = "\u{e1c3}";
 /// The checkpoint tool.
@@ -38,6 +36,12 @@ pub const CHECKPOINT: &str = "\u{e123}";
 pub const JOINT_TARGET: &str = "\u{e2d2}";
 /// The pose tool.
 pub const POSE: &str = "\u{e465}";
+/// The path tool.
+pub const PATH: &str = "\u{e38b}";
+/// The obstacle tool.
+pub const OBSTACLE: &str = "\u{e061}";
+/// Characters who meet.
+pub const MEETING: &str = "\u{e5c0}";
 /// Changed by hand; the tool that does it.
 pub const HAND: &str = "\u{e1d7}";
 /// Adds something.

@@ -17,6 +17,44 @@ pub struct Mark {
     pub constraint: Constraint,
     /// How far off the motion is; `None` while nobody knows.
     pub miss: Option<ConstraintReport>,
+    /// Why nobody knows.
+    pub unknown: Unknown,
+}
+
+/// Why nobody knows how far off a motion is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Unknown {
+    /// It is being looked for.
+    #[default]
+    Searching,
+    /// The search leaves it out, and says so.
+    NotConsidered,
+    /// It is met or not, but not by a distance.
+    NotMeasured,
+}
+
+impl Unknown {
+    /// Why nothing is known of a constraint while `misses` are of others, and `remarks` say what is
+    /// left out.
+    pub fn of(constraint: &Constraint, misses: &[ConstraintReport], remarks: &[String]) -> Self {
+        let begins =
+            format!("{} constraint {:?} was not considered", constraint.kind.name(), constraint.id);
+        if remarks.iter().any(|remark| remark.starts_with(&begins)) {
+            Self::NotConsidered
+        } else if misses.is_empty() {
+            Self::Searching
+        } else {
+            Self::NotMeasured
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Searching => "searching",
+            Self::NotConsidered => "not considered",
+            Self::NotMeasured => "asked for",
+        }
+    }
 }
 
 /// The constraints of a character, by frame.
@@ -32,6 +70,7 @@ pub fn marks_of(
         number: 0,
         constraint: constraint.clone(),
         miss: misses.iter().find(|miss| miss.constraint == constraint.id).cloned(),
+        unknown: Unknown::default(),
     };
     let mut marks: Vec<Mark> = constraints.iter().enumerate().map(mark).collect();
     marks.sort_by_key(Mark::frame);
@@ -102,7 +141,7 @@ impl Mark {
     /// `miss 4 cm, 2°`, or that it is met.
     pub fn miss_text(&self) -> String {
         match (&self.miss, self.misses()) {
-            (None, _) => "searching".to_owned(),
+            (None, _) => self.unknown.words().to_owned(),
             (Some(_), misses) if misses.is_empty() => "met".to_owned(),
             (Some(_), misses) => format!("miss {}", misses.join(", ")),
         }
@@ -150,6 +189,25 @@ mod tests {
         check(Some((0.042, 0.0, 0)), "miss 4 cm", true);
         check(Some((0.042, -3.4, 11)), "miss 4 cm, 3°, 11 f late", true);
         check(Some((0.0, 0.0, -2)), "miss 2 f early", true);
+    }
+
+    #[test]
+    fn what_is_left_out_is_not_searched_for() {
+        let document = Document::from_project(sample::sample().unwrap());
+        let mark = marks_of(&document, CharacterIdx(0), &[]).remove(0);
+        let other = [ConstraintReport::default()];
+        let said = ["body constraint \"start\" was not considered: it is a test".to_owned()];
+        let elsewhere = ["the tolerance of constraint \"start\" was not considered".to_owned()];
+        for (misses, remarks, expected) in [
+            (&[][..], &[][..], "searching"),
+            (&other, &[], "asked for"),
+            (&[], &said, "not considered"),
+            (&other, &said, "not considered"),
+            (&[], &elsewhere, "searching"),
+        ] {
+            let unknown = Unknown::of(&mark.constraint, misses, remarks);
+            assert_eq!(Mark { unknown, ..mark.clone() }.miss_text(), expected);
+        }
     }
 
     #[test]

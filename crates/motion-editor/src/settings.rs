@@ -21,6 +21,10 @@ pub enum Tool {
     JointTarget,
     /// Puts poses of clips on the floor.
     Pose,
+    /// Draws paths on the floor.
+    Path,
+    /// Draws what stands in the way.
+    Obstacle,
     /// Moves hands and feet of the shown take, and turns its other joints.
     ByHand,
 }

@@ -53,8 +53,8 @@ pub use session::Session;
 // What a window must be able to name, though files are none of its business.
 pub use motion_io::diagnostic::{FileError, Warnings};
 pub use motion_io::project_file::{
-    Constraint, ConstraintKind, LengthMode, LockedPiece, Palette, Project, Tolerance,
-    load as load_project,
+    Constraint, ConstraintKind, Interaction, LengthMode, LockedPiece, Member, Obstacle, Palette,
+    PathHeading, Placement, Project, Shape, Tolerance, load as load_project, save as save_project,
 };
 pub use motion_io::report_file::{
     AlternativeReport, ConstraintReport, SeamReport, SuggestionReport,

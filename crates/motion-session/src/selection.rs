@@ -14,6 +14,8 @@ pub enum Selectable {
     Constraint(ConstraintRef),
     /// An obstacle.
     Obstacle(ObstacleIdx),
+    /// An interaction, by its id.
+    Interaction(String),
     /// A take of a character. Takes come and go with the search, so it counts as there.
     Take(CharacterIdx, TakeId),
 }
@@ -27,6 +29,7 @@ impl Selectable {
             }
             Self::Constraint(at) => document.constraint(at).is_some(),
             Self::Obstacle(obstacle) => document.obstacle(*obstacle).is_some(),
+            Self::Interaction(id) => document.interaction(id).is_some(),
         }
     }
 }

@@ -44,6 +44,15 @@ fn hint(state: &EditorState) -> String {
                     · Esc leaves the tool"
                 .to_owned();
         }
+        Tool::Path => {
+            return "Draw on the floor where the body must go, from the playhead on · Esc leaves the \
+                    tool"
+                .to_owned();
+        }
+        Tool::Obstacle => {
+            return "Drag on the floor where something stands · O: another form · Esc leaves the tool"
+                .to_owned();
+        }
         Tool::ByHand => {
             return "Drag a hand or a foot to move it, another joint to turn it · Z lifts · Esc \
                     leaves the tool"

@@ -2,12 +2,13 @@
 
 use motion_session::ConstraintKind;
 use motion_session::command::Command;
-use motion_session::document::CharacterIdx;
+use motion_session::document::{CharacterIdx, ObstacleIdx};
+use motion_session::selection::Selectable;
 
 use super::EditorState;
 
 /// A person's usual speed, metres per second: what a new checkpoint's frame is guessed by.
-const WALK_M_S: f64 = 1.2;
+pub(super) const WALK_M_S: f64 = 1.2;
 
 impl EditorState {
     /// Does something as one step. Gives whether it was done.
@@ -66,7 +67,6 @@ impl EditorState {
 
     /// Removes what is selected, as one step.
     pub fn delete_selected(&mut self) {
-        use motion_session::selection::Selectable;
         if let Some((id, _)) = self.selected_edit() {
             let id = id.to_owned();
             self.remove_hand_edit(&id);
@@ -89,6 +89,7 @@ impl EditorState {
                 Selectable::Obstacle(obstacle) => {
                     Some(Command::RemoveObstacle { obstacle: *obstacle })
                 }
+                Selectable::Interaction(id) => Some(Command::RemoveInteraction { id: id.clone() }),
                 Selectable::Character(_) | Selectable::Take(..) => None,
             })
             .collect();
@@ -96,6 +97,15 @@ impl EditorState {
             self.apply(command);
         } else if !commands.is_empty() {
             self.apply_all("Delete", &commands);
+        }
+    }
+
+    /// Selects the obstacle that was made last.
+    pub fn select_newest_obstacle(&mut self) {
+        let n = self.session.document().obstacles().len();
+        if let Some(last) = n.checked_sub(1) {
+            let item = Selectable::Obstacle(ObstacleIdx(last));
+            self.session.selection_mut().select(item);
         }
     }
 
@@ -126,7 +136,11 @@ impl EditorState {
 
     /// What makes the active character's motion long enough for `frame`, where it is not.
     pub fn length_for(&self, frame: u32) -> Option<Command> {
-        let character = self.session.active();
+        self.length_of_for(self.session.active(), frame)
+    }
+
+    /// The same for any character.
+    pub fn length_of_for(&self, character: CharacterIdx, frame: u32) -> Option<Command> {
         let settled = self.session.history().settled();
         let length = settled.character(character)?.length.as_ref()?;
         let too_short = length.frames.is_some_and(|frames| frames <= frame);

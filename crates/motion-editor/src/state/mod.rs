@@ -8,6 +8,7 @@ mod comparing;
 mod edit;
 mod gain;
 mod keeping;
+mod meeting;
 pub mod moving;
 mod nudge;
 mod playing;
@@ -36,8 +37,9 @@ use motion_session::stage::{Role, Stage};
 use motion_session::{Palette, Session};
 
 use crate::dialogs::Answers;
-use crate::mark::{Mark, marks_of};
+use crate::mark::{Mark, Unknown, marks_of};
 use crate::notices::Notices;
+use crate::obstacle_form::ObstacleForm;
 use crate::panels::right_tab::RightTab;
 use crate::project_source::{Opened, ProjectSource};
 use crate::settings::Settings;
@@ -101,6 +103,12 @@ pub struct EditorState {
     pub n_exports: usize,
     /// What the pose tool places: a clip and a frame of it.
     pub pose_clip: Option<(String, u32)>,
+    /// What the obstacle tool draws.
+    pub obstacle_form: ObstacleForm,
+    /// How fast somebody goes along a path that is drawn, metres per second.
+    pub path_speed_m_s: f64,
+    /// The tag that a new style gets: the one chosen last.
+    pub style_tag: Option<String>,
     /// A drag is under way that changes nothing of the document; who ends it sets this to `false`.
     pub is_dragging_beside: bool,
     /// Whether cards stay in their places because the pointer is over them.
@@ -177,6 +185,9 @@ impl EditorState {
             welcomes,
             n_exports: 0,
             pose_clip: None,
+            obstacle_form: ObstacleForm::default(),
+            path_speed_m_s: edit::WALK_M_S,
+            style_tag: None,
             merging: None,
             is_dragging_beside: false,
             cards_are_held: false,
@@ -273,7 +284,12 @@ impl EditorState {
         }
         let role = self.stage.roles.get(self.session.active().0);
         let misses = role.map_or(&[][..], |role| role.misses.as_slice());
-        self.marks = marks_of(self.session.document(), self.session.active(), misses);
+        let mut marks = marks_of(self.session.document(), self.session.active(), misses);
+        let remarks = self.remarks();
+        for mark in &mut marks {
+            mark.unknown = Unknown::of(&mark.constraint, misses, remarks);
+        }
+        self.marks = marks;
     }
 
     /// Lists the clips anew where library or palette are others than before.
@@ -321,7 +337,8 @@ impl EditorState {
             PickTarget::Checkpoint { character, constraint }
             | PickTarget::CheckpointTip { character, constraint }
             | PickTarget::JointTarget { character, constraint }
-            | PickTarget::Pose { character, constraint } => {
+            | PickTarget::Pose { character, constraint }
+            | PickTarget::Path { character, constraint } => {
                 let character = CharacterIdx(character);
                 let id = &document.character(character)?.constraints.get(constraint)?.id;
                 Some(Selectable::Constraint(motion_session::document::ConstraintRef::new(
@@ -331,6 +348,10 @@ impl EditorState {
             }
             PickTarget::Actor { actor } | PickTarget::Ghost { actor, .. } => {
                 Some(Selectable::Character(CharacterIdx(actor)))
+            }
+            PickTarget::Meeting { interaction, .. } => {
+                let id = document.interactions().get(interaction)?.id.clone();
+                Some(Selectable::Interaction(id))
             }
             PickTarget::Obstacle { obstacle } => {
                 Some(Selectable::Obstacle(motion_session::document::ObstacleIdx(obstacle)))
@@ -349,7 +370,9 @@ impl EditorState {
         match mark.constraint.kind {
             K::Body { .. } => Some(PickTarget::Checkpoint { character, constraint }),
             K::Joint { .. } => Some(PickTarget::JointTarget { character, constraint }),
-            K::Pose { .. } | K::Style { .. } | K::Path { .. } | K::Lock { .. } => None,
+            K::Pose { .. } => Some(PickTarget::Pose { character, constraint }),
+            K::Path { .. } => Some(PickTarget::Path { character, constraint }),
+            K::Style { .. } | K::Lock { .. } => None,
         }
     }
 

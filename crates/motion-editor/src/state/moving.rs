@@ -1,10 +1,13 @@
-//! Several constraints moved or turned together, from where they were when it began.
+//! Several constraints and obstacles moved or turned together, from where they were when it began.
 
-use motion_session::ConstraintKind;
 use motion_session::command::Command;
-use motion_session::document::{ConstraintRef, Document};
+use motion_session::document::{ConstraintRef, Document, ObstacleIdx};
+use motion_session::selection::Selectable;
+use motion_session::{ConstraintKind, Shape};
 
-/// Constraints with their places as they were.
+use crate::obstacle_form;
+
+/// Constraints and obstacles with their places as they were.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moving {
     items: Vec<Item>,
@@ -12,11 +15,18 @@ pub struct Moving {
 
 #[derive(Clone, Debug, PartialEq)]
 struct Item {
-    at: ConstraintRef,
+    of: Of,
     place: Place,
 }
 
-/// What of a constraint can be moved.
+/// What it is in the document.
+#[derive(Clone, Debug, PartialEq)]
+enum Of {
+    Constraint(ConstraintRef),
+    Obstacle(ObstacleIdx),
+}
+
+/// What of it can be moved.
 #[derive(Clone, Debug, PartialEq)]
 enum Place {
     /// On the floor, with where it looks; either may be left open.
@@ -25,6 +35,8 @@ enum Place {
     Air([f64; 3]),
     /// A way over the floor.
     Way(Vec<[f64; 2]>),
+    /// Something in the way.
+    Solid(Shape),
 }
 
 impl Moving {
@@ -34,35 +46,53 @@ impl Moving {
         constraints: impl IntoIterator<Item = &'a ConstraintRef>,
     ) -> Self {
         let item = |at: &ConstraintRef| {
-            let place = match &document.constraint(at)?.kind {
-                ConstraintKind::Body { position_m, heading_deg, .. } => {
-                    Place::Floor(Some(*position_m), *heading_deg)
-                }
-                ConstraintKind::Pose { position_m, heading_deg, .. } => {
-                    Place::Floor(*position_m, *heading_deg)
-                }
-                ConstraintKind::Joint { position_m, .. } => Place::Air(*position_m),
-                ConstraintKind::Path { points_m, .. } => Place::Way(points_m.clone()),
-                ConstraintKind::Style { .. } | ConstraintKind::Lock { .. } => return None,
-            };
-            Some(Item { at: at.clone(), place })
+            let place = place_of(&document.constraint(at)?.kind)?;
+            Some(Item { of: Of::Constraint(at.clone()), place })
         };
         Self { items: constraints.into_iter().filter_map(item).collect() }
     }
 
-    /// Whether both are about the same constraints.
+    /// What can be moved of these things.
+    pub fn of_items<'a>(
+        document: &Document,
+        items: impl IntoIterator<Item = &'a Selectable>,
+    ) -> Self {
+        let mut all = Self::default();
+        for item in items {
+            match item {
+                Selectable::Constraint(at) => all.items.extend(Self::of(document, [at]).items),
+                Selectable::Obstacle(obstacle) => {
+                    let shape = document.obstacle(*obstacle).map(|known| known.shape.clone());
+                    all.items.extend(shape.map(|shape| Self::solid(*obstacle, shape)));
+                }
+                Selectable::Character(_) | Selectable::Interaction(_) | Selectable::Take(..) => {}
+            }
+        }
+        all
+    }
+
+    /// An obstacle that is, or will be, at a place of the list.
+    pub fn of_obstacle(obstacle: ObstacleIdx, shape: Shape) -> Self {
+        Self { items: vec![Self::solid(obstacle, shape)] }
+    }
+
+    fn solid(obstacle: ObstacleIdx, shape: Shape) -> Item {
+        Item { of: Of::Obstacle(obstacle), place: Place::Solid(shape) }
+    }
+
+    /// Whether both are about the same things.
     pub fn is_like(&self, other: &Self) -> bool {
-        self.items.iter().map(|item| &item.at).eq(other.items.iter().map(|item| &item.at))
+        self.items.iter().map(|item| &item.of).eq(other.items.iter().map(|item| &item.of))
     }
 
     /// The same places under another name; for one constraint.
     #[must_use]
     pub fn renamed(mut self, to: &ConstraintRef) -> Self {
-        self.items.iter_mut().for_each(|item| item.at.clone_from(to));
+        self.items.iter_mut().for_each(|item| item.of = Of::Constraint(to.clone()));
         self
     }
 
-    /// How many constraints it is about.
+    /// How many things it is about.
     pub fn len(&self) -> usize {
         self.items.len()
     }
@@ -89,20 +119,31 @@ impl Moving {
     /// the air rises.
     pub fn moved(&self, by_m: [f64; 3]) -> Vec<Command> {
         let on_floor = |p: [f64; 2]| [rounded(p[0] + by_m[0]), rounded(p[1] + by_m[2])];
-        let command = |item: &Item| {
-            let at = item.at.clone();
-            Some(match &item.place {
-                Place::Floor(position_m, _) => {
-                    Command::Move { at, position_m: on_floor((*position_m)?) }
-                }
-                Place::Air(p) => {
-                    let position_m = [0, 1, 2].map(|axis| rounded(p[axis] + by_m[axis]));
-                    Command::MoveJointTarget { at, position_m }
-                }
-                Place::Way(points) => {
-                    Command::Reshape { at, points_m: points.iter().map(|p| on_floor(*p)).collect() }
-                }
-            })
+        let command = |item: &Item| match (&item.of, &item.place) {
+            (Of::Obstacle(obstacle), Place::Solid(shape)) => {
+                let [x, y, z] = obstacle_form::center_m(shape);
+                let [x, z] = on_floor([x, z]);
+                let shape = obstacle_form::at(shape, [x, y, z]);
+                Some(Command::ChangeObstacle { obstacle: *obstacle, shape })
+            }
+            (Of::Constraint(at), place) => {
+                let at = at.clone();
+                Some(match place {
+                    Place::Floor(position_m, _) => {
+                        Command::Move { at, position_m: on_floor((*position_m)?) }
+                    }
+                    Place::Air(p) => {
+                        let position_m = [0, 1, 2].map(|axis| rounded(p[axis] + by_m[axis]));
+                        Command::MoveJointTarget { at, position_m }
+                    }
+                    Place::Way(points) => {
+                        let points_m = points.iter().map(|p| on_floor(*p)).collect();
+                        Command::Reshape { at, points_m }
+                    }
+                    Place::Solid(_) => return None,
+                })
+            }
+            (Of::Obstacle(_), _) => None,
         };
         self.items.iter().filter_map(command).collect()
     }
@@ -110,7 +151,9 @@ impl Moving {
     /// Commands that turn everything to the left by `by_deg`; several things go around their
     /// middle as well. An open heading stays open.
     pub fn turned(&self, by_deg: f64) -> Vec<Command> {
-        let middle = self.middle_m().filter(|_| self.items.len() > 1);
+        // A way alone goes around its own middle.
+        let is_wide = self.items.len() > 1 || self.items.iter().any(Item::is_way);
+        let middle = self.middle_m().filter(|_| is_wide);
         // Heading 0 is +Z and grows towards +X.
         let (sin, cos) = by_deg.to_radians().sin_cos();
         let around = |[x, z]: [f64; 2]| {
@@ -120,7 +163,19 @@ impl Moving {
         };
         let mut commands = Vec::new();
         for item in &self.items {
-            let at = || item.at.clone();
+            let at = match (&item.of, &item.place) {
+                (Of::Constraint(at), _) => at,
+                (Of::Obstacle(obstacle), Place::Solid(shape)) => {
+                    let [x, y, z] = obstacle_form::center_m(shape);
+                    let [x, z] = around([x, z]);
+                    let shape = obstacle_form::at(shape, [x, y, z]);
+                    let shape = obstacle_form::turned(&shape, by_deg);
+                    commands.push(Command::ChangeObstacle { obstacle: *obstacle, shape });
+                    continue;
+                }
+                (Of::Obstacle(_), _) => continue,
+            };
+            let at = || at.clone();
             match &item.place {
                 Place::Floor(position_m, heading_deg) => {
                     if let (Some(from), Some(_)) = (position_m, middle) {
@@ -135,15 +190,36 @@ impl Moving {
                     let [x, z] = around([*x, *z]);
                     commands.push(Command::MoveJointTarget { at: at(), position_m: [x, *y, z] });
                 }
-                Place::Way(points) if middle.is_some() => {
+                Place::Way(points) => {
                     let points_m = points.iter().map(|p| around(*p)).collect();
                     commands.push(Command::Reshape { at: at(), points_m });
                 }
-                Place::Air(_) | Place::Way(_) => {}
+                Place::Air(_) | Place::Solid(_) => {}
             }
         }
         commands
     }
+}
+
+impl Item {
+    fn is_way(&self) -> bool {
+        matches!(self.place, Place::Way(_))
+    }
+}
+
+/// What of a constraint can be moved.
+fn place_of(kind: &ConstraintKind) -> Option<Place> {
+    Some(match kind {
+        ConstraintKind::Body { position_m, heading_deg, .. } => {
+            Place::Floor(Some(*position_m), *heading_deg)
+        }
+        ConstraintKind::Pose { position_m, heading_deg, .. } => {
+            Place::Floor(*position_m, *heading_deg)
+        }
+        ConstraintKind::Joint { position_m, .. } => Place::Air(*position_m),
+        ConstraintKind::Path { points_m, .. } => Place::Way(points_m.clone()),
+        ConstraintKind::Style { .. } | ConstraintKind::Lock { .. } => return None,
+    })
 }
 
 impl Place {
@@ -153,6 +229,10 @@ impl Place {
             Self::Floor(position_m, _) => position_m.iter().map(flat).collect(),
             Self::Air(p) => vec![*p],
             Self::Way(points) => points.iter().map(flat).collect(),
+            Self::Solid(shape) => {
+                let [x, _, z] = obstacle_form::center_m(shape);
+                vec![[x, 0.0, z]]
+            }
         }
     }
 }

@@ -40,16 +40,15 @@ impl EditorState {
         commands: impl Fn(&Moving, [f64; 3]) -> Vec<motion_session::command::Command>,
     ) {
         let document = self.session.document();
-        let selected: Vec<ConstraintRef> =
-            self.session.selection().constraints(document).cloned().collect();
-        let now = Moving::of(document, &selected);
+        let selected = self.selected_items();
+        let now = Moving::of_items(document, &selected);
         let now_secs = self.wake.input(|input| input.time);
         let n_steps = self.session.history().n_steps();
         let joins = |last: &Merging| {
             last.label == label
                 && now_secs < last.until_secs
                 && last.n_steps == n_steps
-                && Moving::of(document, &selected).is_like(&last.moving)
+                && Moving::of_items(document, &selected).is_like(&last.moving)
         };
         let (moving, sum) = match self.merging.take().filter(joins) {
             Some(last) => {
@@ -105,6 +104,7 @@ impl EditorState {
             ConstraintKind::Body { position_m, .. } => Some(*position_m),
             ConstraintKind::Pose { position_m, .. } => *position_m,
             ConstraintKind::Joint { position_m: [x, _, z], .. } => Some([*x, *z]),
+            ConstraintKind::Path { points_m, .. } => points_m.first().copied(),
             _ => None,
         }
     }

@@ -131,11 +131,21 @@ impl EditorState {
             C::CheckpointTool => self.settings.tool = Tool::Checkpoint,
             C::JointTargetTool => self.settings.tool = Tool::JointTarget,
             C::PoseTool => self.settings.tool = Tool::Pose,
+            C::PathTool => self.settings.tool = Tool::Path,
+            // Once more is another form.
+            C::ObstacleTool if self.settings.tool == Tool::Obstacle => {
+                self.obstacle_form = self.obstacle_form.next();
+            }
+            C::ObstacleTool => self.settings.tool = Tool::Obstacle,
             C::ByHandTool => {
                 self.settings.tool = Tool::ByHand;
                 self.right_tab = RightTab::ByHand;
             }
             C::AddCheckpoint => self.add_checkpoint_ahead(),
+            C::AddJointTarget => self.add_joint_target_here(),
+            C::AddPose => self.add_pose_here(),
+            C::AddStyle => self.add_style_here(),
+            C::MeetHere => self.meet_here(),
             C::TurnLeft => self.turn_selected(TURN_DEG),
             C::TurnRight => self.turn_selected(-TURN_DEG),
             _ => return false,

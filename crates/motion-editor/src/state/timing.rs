@@ -1,11 +1,12 @@
 //! What is selected, brought to other frames.
 
 use motion_session::command::Command;
-use motion_session::document::{CharacterIdx, ConstraintRef};
+use motion_session::document::{CharacterIdx, ConstraintRef, ObstacleIdx};
 use motion_session::selection::Selectable;
 
 use super::EditorState;
 use crate::mark::Mark;
+use crate::obstacle_form;
 use crate::timeline::retime::{Grab, Part};
 
 impl EditorState {
@@ -67,7 +68,10 @@ impl EditorState {
     /// The same once more: what begins first at the playhead, the rest as far behind as it was.
     /// The copies are selected.
     pub fn duplicate_selected(&mut self) {
-        let Some(first) = self.selected_marks().map(Mark::frame).min() else { return };
+        let Some(first) = self.selected_marks().map(Mark::frame).min() else {
+            self.duplicate_obstacles();
+            return;
+        };
         let now = self.frame_number();
         let copy = |mark: &Mark| Command::Duplicate {
             at: mark.at.clone(),
@@ -83,6 +87,30 @@ impl EditorState {
             let new =
                 self.marks.iter().filter(is_new).map(|m| Selectable::Constraint(m.at.clone()));
             let new: Vec<Selectable> = new.collect();
+            self.session.selection_mut().select_all(new);
+        }
+    }
+
+    /// The selected obstacles once more, beside themselves. The copies are selected.
+    fn duplicate_obstacles(&mut self) {
+        const BESIDE_M: f64 = 0.25;
+        let document = self.session.document();
+        let n_before = document.obstacles().len();
+        let copy = |item: &Selectable| match item {
+            Selectable::Obstacle(obstacle) => {
+                let shape = &document.obstacle(*obstacle)?.shape;
+                let [x, y, z] = obstacle_form::center_m(shape);
+                let [width, _] = obstacle_form::floor_m(shape);
+                let shape = obstacle_form::at(shape, [x + width + BESIDE_M, y, z]);
+                Some(Command::AddObstacle { shape })
+            }
+            _ => None,
+        };
+        let items = self.selected_items();
+        let commands: Vec<Command> = items.iter().filter_map(copy).collect();
+        if !commands.is_empty() && self.apply_all("Duplicate", &commands) {
+            let new = n_before..n_before + commands.len();
+            let new = new.map(|nth| Selectable::Obstacle(ObstacleIdx(nth)));
             self.session.selection_mut().select_all(new);
         }
     }

@@ -17,6 +17,12 @@ pub enum Action {
     Hover(ConstraintRef),
     /// A constraint is being dragged.
     Grab(ConstraintRef, Part),
+    /// A style is drawn where the button went down.
+    DrawStyle,
+    /// Select a meeting and go to its frame.
+    SelectMeeting(String),
+    /// A meeting is being dragged to another frame.
+    GrabMeeting(String),
     /// Select a change by hand.
     SelectHand(String),
     /// A change by hand is being dragged.

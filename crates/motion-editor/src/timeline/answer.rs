@@ -58,6 +58,25 @@ impl TimelinePanel {
                     let press = self.press_at(ui);
                     self.drag = grab.map(|grab| Drag::retime(grab, press, state));
                 }
+                Action::DrawStyle => {
+                    let from = self.press_at(ui);
+                    state.begin_gesture("Add style");
+                    self.drag = Some(Drag::Style(from.max(0.0)));
+                }
+                Action::SelectMeeting(id) => {
+                    let frame = state.session.document().interaction(&id).map(|i| i.frame);
+                    state.session.selection_mut().select(Selectable::Interaction(id));
+                    frame.into_iter().for_each(|frame| state.stop_at(frame as usize));
+                }
+                Action::GrabMeeting(id) => {
+                    let known = state.session.document().interaction(&id).cloned();
+                    if let Some(known) = known {
+                        let off = self.press_at(ui) - f64::from(known.frame);
+                        state.session.selection_mut().select(Selectable::Interaction(id));
+                        state.begin_gesture("Retime");
+                        self.drag = Some(Drag::Meeting(Box::new(known), off, false));
+                    }
+                }
                 Action::SelectHand(id) => state.select_edit(id),
                 Action::GrabHand(id, part) => {
                     let grab = HandGrab::new(&id, part, self.press_at(ui), state);

@@ -6,6 +6,7 @@ use motion_session::ConstraintKind;
 use super::retime::Part;
 use super::rows::{Row, STOREY_PT, storeys};
 use super::sheet::Sheet;
+use super::style_drag::style_ground_ui;
 use crate::mark::Mark;
 use crate::theme;
 
@@ -20,6 +21,9 @@ pub fn bar_row_ui(sheet: &mut Sheet<'_>, row: &Row, place: Rect) {
     let marks: Vec<(usize, &Mark)> =
         state.marks.iter().enumerate().filter(|(_, mark)| row.holds(mark)).collect();
     let storeys = storeys(marks.iter().map(|(_, mark)| *mark));
+    if *row == Row::Style {
+        style_ground_ui(sheet, place, marks.is_empty());
+    }
     for ((index, mark), storey) in marks.into_iter().zip(storeys) {
         let (from, to) = mark.span();
         let left = sheet.axis.x_of(f64::from(from));

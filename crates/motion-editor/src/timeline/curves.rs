@@ -82,7 +82,9 @@ pub fn root_turns_deg_s(motion: &Motion) -> Vec<f32> {
 pub fn path_errors_m(root_m: &[Vec3], marks: &[Mark]) -> Vec<f32> {
     let mut errors = vec![f32::NAN; root_m.len()];
     for mark in marks {
-        let ConstraintKind::Path { from, to, points_m } = &mark.constraint.kind else { continue };
+        let ConstraintKind::Path { from, to, points_m, .. } = &mark.constraint.kind else {
+            continue;
+        };
         let points: Vec<Vec2> =
             points_m.iter().map(|[x, z]| Vec2::new(*x as f32, *z as f32)).collect();
         let n = (*to as usize + 1).saturating_sub(*from as usize);

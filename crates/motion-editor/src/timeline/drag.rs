@@ -3,14 +3,15 @@
 use std::collections::BTreeSet;
 
 use egui::{Pos2, Rect, Ui};
-use motion_session::LengthMode;
 use motion_session::playback::PlayRange;
 use motion_session::selection::Selectable;
+use motion_session::{Interaction, LengthMode};
 
 use super::axis::Axis;
 use super::hand_drag::HandGrab;
 use super::length_handle;
 use super::retime::{Grab, Part};
+use super::style_drag;
 use crate::mark::Mark;
 use crate::state::EditorState;
 
@@ -27,6 +28,10 @@ const PAN_PER_SEC: f32 = 8.0;
 pub enum Drag {
     /// Marks to other frames, held at so many frames behind the one that counts.
     Retime(Grab, f64),
+    /// A new style, from this moment to the pointer's.
+    Style(f64),
+    /// A meeting, which was this, held at so many frames behind it; whether it has been moved.
+    Meeting(Box<Interaction>, f64, bool),
     /// A change by hand to other frames.
     ByHand(Box<HandGrab>),
     /// The end of the motion; the mode it has from then on, and whether it has been moved.
@@ -67,7 +72,14 @@ impl Drag {
 
     /// Whether it changes the document, and so is a gesture of its history.
     fn is_gesture(&self) -> bool {
-        matches!(self, Self::Retime(..) | Self::ByHand(_) | Self::Length(..))
+        matches!(
+            self,
+            Self::Retime(..)
+                | Self::Style(_)
+                | Self::Meeting(..)
+                | Self::ByHand(_)
+                | Self::Length(..)
+        )
     }
 
     /// Whether it is one of marks or lengths that has not moved them yet.
@@ -75,8 +87,8 @@ impl Drag {
         match self {
             Self::Retime(grab, _) => grab.done.is_none(),
             Self::ByHand(grab) => grab.done.is_none(),
-            Self::Length(_, has_moved) => !has_moved,
-            Self::Loop(..) | Self::Scrub(_) | Self::Box(_) => false,
+            Self::Length(_, has_moved) | Self::Meeting(_, _, has_moved) => !has_moved,
+            Self::Style(_) | Self::Loop(..) | Self::Scrub(_) | Self::Box(_) => false,
         }
     }
 
@@ -100,7 +112,12 @@ impl Drag {
         });
         if !is_down {
             if self.is_gesture() {
+                let n_before = state.session.history().n_steps().0;
                 state.commit();
+                if matches!(self, Self::Style(_)) && state.session.history().n_steps().0 > n_before
+                {
+                    state.select_newest();
+                }
             }
             state.is_dragging_beside = false;
             return None;
@@ -139,6 +156,22 @@ impl Drag {
                 if !commands.is_empty() {
                     state.preview(&commands);
                 }
+            }
+            Self::Style(from) => {
+                let snaps = snaps(state, |_| false);
+                let snap = |x: f32| axis.snap(x, &snaps, is_free, MAX_FRAMES) as u32;
+                let (a, b) = (snap(axis.x_of(*from)), snap(at.x));
+                // The later edge is where the next frame would begin.
+                if let Some(to) = a.max(b).checked_sub(1).filter(|to| *to >= a.min(b)) {
+                    state.preview(&style_drag::commands(state, a.min(b), to));
+                }
+            }
+            Self::Meeting(known, off, has_moved) => {
+                *has_moved = true;
+                let snaps = snaps(state, |_| false);
+                let x = axis.x_of(axis.frame_at(at.x) - *off);
+                let frame = axis.snap(x, &snaps, is_free, MAX_FRAMES) as u32;
+                state.preview(&state.retime_meeting(known, frame));
             }
             Self::Retime(grab, off) => {
                 let snaps = snaps(state, |mark| grab.moves(&mark.at, shift));
@@ -196,7 +229,11 @@ impl Drag {
     /// Has everything as it was.
     fn restore(self, state: &mut EditorState) {
         match self {
-            Self::Retime(..) | Self::ByHand(_) | Self::Length(..) => {}
+            Self::Retime(..)
+            | Self::Style(_)
+            | Self::Meeting(..)
+            | Self::ByHand(_)
+            | Self::Length(..) => {}
             Self::Loop(_, before, _) => state.set_range(Some(before)),
             Self::Scrub(before) => state.seek(before),
             Self::Box(band) => state.session.selection_mut().select_all(band.before),

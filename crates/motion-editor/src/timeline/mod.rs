@@ -15,6 +15,7 @@ pub mod hand_row;
 pub mod length_handle;
 pub mod loop_band;
 pub mod mark_shape;
+pub mod meet_row;
 pub mod navigate;
 pub mod other_rows;
 pub mod point_row;
@@ -24,7 +25,9 @@ pub mod ribbon;
 pub mod row;
 pub mod rows;
 pub mod ruler;
+pub mod scale;
 pub mod sheet;
+pub mod style_drag;
 pub mod take_drop;
 pub mod time_unit;
 pub mod transport;
@@ -40,6 +43,7 @@ use axis::Axis;
 use curve_rows::PathErrors;
 use drag::Drag;
 use rows::{Layout, Row, rows_of};
+use scale::Scale;
 use sheet::Sheet;
 
 /// Names of rows stand left of them, points.
@@ -54,6 +58,7 @@ pub struct TimelinePanel {
     n_frames: usize,
     scroll_pt: f32,
     drag: Option<Drag>,
+    scale: Option<Scale>,
     /// Where the context menu of the ground was opened.
     menu_at: Option<(usize, bool)>,
     /// Whether the pointer is over the panel.
@@ -65,8 +70,12 @@ pub struct TimelinePanel {
 
 impl TimelinePanel {
     /// Does a command that changes what of the motion is shown; gives whether it was one.
-    pub fn run(&mut self, command: UiCommand, state: &EditorState) -> bool {
+    pub fn run(&mut self, command: UiCommand, state: &mut EditorState) -> bool {
         let factor = match command {
+            UiCommand::ScaleTimes => {
+                self.scale = Scale::begin(state);
+                return true;
+            }
             UiCommand::FitTimeline => {
                 self.axis = None;
                 return true;
@@ -80,6 +89,13 @@ impl TimelinePanel {
             axis.zoom_at(axis.x_of(state.frame()), factor, self.n_frames);
         }
         true
+    }
+
+    /// Takes the keys that mean what is under way here, before they mean anything else.
+    pub fn take_keys(&mut self, ctx: &egui::Context) {
+        if let Some(scale) = &mut self.scale {
+            scale.take_keys(ctx);
+        }
     }
 
     /// The commands of keys that mean something else while the pointer is here.
@@ -138,6 +154,7 @@ impl TimelinePanel {
         self.ground_ui(ui, &ground, window, lanes, state);
         let Some(axis) = &mut self.axis else { return };
         self.drag = self.drag.take().and_then(|drag| drag.ui(ui, axis, lanes, state));
+        self.scale = self.scale.take().and_then(|scale| scale.ui(ui, axis, lanes, state));
         let can_scroll = max_scroll > 0.0;
         let by = navigate::navigate_ui(ui, &ground, (panel, lanes), axis, can_scroll, state);
         self.scroll_pt = (self.scroll_pt + by).clamp(0.0, max_scroll);
@@ -184,6 +201,7 @@ fn rows_ui(
             Row::Source => ribbon::ribbon_ui(sheet, place),
             Row::Body | Row::Joint(_) | Row::Pose => point_row::point_row_ui(sheet, row, place),
             Row::Style | Row::Path | Row::Locked => bar_row::bar_row_ui(sheet, row, place),
+            Row::Meetings => meet_row::meet_row_ui(sheet, place),
             Row::ByHand(_) => hand_row::hand_row_ui(sheet, place),
             Row::Foot(side) => feet_rows::foot_row_ui(sheet, *side, place),
             Row::Curves => {}

@@ -28,6 +28,8 @@ pub enum Row {
     Path,
     /// Stretches that stay.
     Locked,
+    /// Where the character meets others.
+    Meetings,
     /// What is changed by hand on the shown take, on so many storeys besides the first.
     ByHand(usize),
     /// When a foot is planted.
@@ -40,7 +42,8 @@ pub enum Row {
     Other(CharacterIdx),
 }
 
-/// The rows that have something in them; source, body, feet and the heading of curves always.
+/// The rows that have something in them; source, body, styles, feet and the heading of curves
+/// always.
 pub fn rows_of(state: &EditorState) -> Vec<Row> {
     let has = |kind: &str| state.marks.iter().any(|mark| mark.constraint.kind.name() == kind);
     let mut rows = vec![Row::Source, Row::Body];
@@ -50,7 +53,12 @@ pub fn rows_of(state: &EditorState) -> Vec<Row> {
     rows.extend(joints.into_iter().map(|joint| Row::Joint(joint.to_owned())));
     let stretches =
         [("pose", Row::Pose), ("style", Row::Style), ("path", Row::Path), ("lock", Row::Locked)];
-    rows.extend(stretches.into_iter().filter(|(kind, _)| has(kind)).map(|(_, row)| row));
+    // Styles begin on their row, so it is there before there are any.
+    let is_there = |kind: &str| kind == "style" || has(kind);
+    rows.extend(stretches.into_iter().filter(|(kind, _)| is_there(kind)).map(|(_, row)| row));
+    if state.meetings().next().is_some() {
+        rows.push(Row::Meetings);
+    }
     if state.has_hand_edits() {
         rows.push(Row::ByHand(hand_row::extra_storeys(state)));
     }
@@ -85,6 +93,7 @@ impl Row {
             Self::Style => "Style".to_owned(),
             Self::Path => "Path".to_owned(),
             Self::Locked => "Locked".to_owned(),
+            Self::Meetings => "Meets".to_owned(),
             Self::ByHand(_) => "By hand".to_owned(),
             Self::Foot(Side::Left) => "Foot L".to_owned(),
             Self::Foot(Side::Right) => "Foot R".to_owned(),

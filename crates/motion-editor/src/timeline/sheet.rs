@@ -1,6 +1,8 @@
 //! What all rows are drawn with.
 
 use egui::{Painter, Pos2, Rect, Response, Ui, Vec2};
+use motion_session::ConstraintKind;
+use motion_session::command::Command;
 use motion_session::document::ConstraintRef;
 
 use super::action::Action;
@@ -75,8 +77,13 @@ impl<'a> Sheet<'a> {
         }
         if response.secondary_clicked() || response.context_menu_opened() {
             let at = mark.at.clone();
-            let actions = &mut self.actions;
-            response.context_menu(|ui| mark_menu_ui(ui, &at, mark.frame(), actions));
+            let (actions, state) = (&mut self.actions, self.state);
+            response.context_menu(|ui| {
+                mark_menu_ui(ui, &at, mark.frame(), actions);
+                if let ConstraintKind::Style { tag, .. } = &mark.constraint.kind {
+                    tag_menu_ui(ui, (&at, tag), state, actions);
+                }
+            });
         }
     }
 
@@ -105,6 +112,23 @@ fn mark_menu_ui(ui: &mut Ui, at: &ConstraintRef, frame: usize, actions: &mut Vec
     }
 }
 
+/// Other tags for a style.
+fn tag_menu_ui(
+    ui: &mut Ui,
+    (at, tag): (&ConstraintRef, &str),
+    state: &EditorState,
+    actions: &mut Vec<Action>,
+) {
+    ui.separator();
+    for (known, n) in motion_session::clip_rows::tag_counts(&state.clips) {
+        if ui.selectable_label(known == tag, format!("{known} ({n} clips)")).clicked() {
+            let (at, tag) = (at.clone(), known);
+            actions.push(Action::Do(vec![Command::SetTag { at, tag }]));
+            ui.close();
+        }
+    }
+}
+
 /// Whether a thing in the view is this mark.
 fn is_target(target: motion_session::stage::pick::PickTarget, mark: &Mark) -> bool {
     use motion_session::stage::pick::PickTarget as P;
@@ -112,9 +136,10 @@ fn is_target(target: motion_session::stage::pick::PickTarget, mark: &Mark) -> bo
         P::Checkpoint { character, constraint }
         | P::CheckpointTip { character, constraint }
         | P::JointTarget { character, constraint }
-        | P::Pose { character, constraint } => {
+        | P::Pose { character, constraint }
+        | P::Path { character, constraint } => {
             (character, constraint) == (mark.at.character.0, mark.index)
         }
-        P::Actor { .. } | P::Ghost { .. } | P::Obstacle { .. } => false,
+        P::Actor { .. } | P::Ghost { .. } | P::Obstacle { .. } | P::Meeting { .. } => false,
     }
 }

@@ -18,7 +18,11 @@ impl UiCommand {
                     || state.knot_to_delete().is_some()
                     || matches!(
                         state.selected(),
-                        Some(Selectable::Constraint(_) | Selectable::Obstacle(_))
+                        Some(
+                            Selectable::Constraint(_)
+                                | Selectable::Obstacle(_)
+                                | Selectable::Interaction(_)
+                        )
                     )
             }
             Self::MoveSelection
@@ -28,11 +32,20 @@ impl UiCommand {
             | Self::TurnRight => {
                 let document = state.session.document();
                 let has_hand = matches!(self, Self::Nudge(_)) && state.selected_edit().is_some();
-                has_hand || state.session.selection().constraints(document).next().is_some()
+                let can_move = |item: &Selectable| {
+                    matches!(item, Selectable::Constraint(_) | Selectable::Obstacle(_))
+                };
+                has_hand || state.session.selection().items(document).any(can_move)
             }
-            Self::Duplicate | Self::RetimeBack | Self::RetimeAhead => {
+            Self::RetimeBack | Self::RetimeAhead | Self::ScaleTimes => {
                 state.selected_marks().next().is_some()
             }
+            Self::Duplicate => {
+                let is_obstacle = matches!(state.selected(), Some(Selectable::Obstacle(_)));
+                is_obstacle || state.selected_marks().next().is_some()
+            }
+            Self::MeetHere => state.session.document().characters().len() > 1,
+            Self::AddJointTarget | Self::AddPose => state.shown_card().is_some(),
             Self::SelectAll => !state.marks.is_empty(),
             Self::ClearLoop => state.session.playback().chosen_range().is_some(),
             Self::NextCharacter => state.session.document().characters().len() > 1,
@@ -82,6 +95,8 @@ impl UiCommand {
             Self::JointTargetTool => settings.tool == Tool::JointTarget,
             Self::ByHandTool => settings.tool == Tool::ByHand,
             Self::PoseTool => settings.tool == Tool::Pose,
+            Self::PathTool => settings.tool == Tool::Path,
+            Self::ObstacleTool => settings.tool == Tool::Obstacle,
             Self::JointTrails => settings.joint_trails,
             Self::Ghosts => settings.ghosts != GhostMode::Off,
             Self::GhostsAre(mode) => settings.ghosts == mode,

@@ -60,6 +60,10 @@ impl UiCommand {
             Self::RetimeAhead => {
                 ("Selection one frame later", "Brings what is selected to a later frame")
             }
+            Self::ScaleTimes => (
+                "Scale times",
+                "Draws the times of what is selected out or together about the playhead; digits say by what",
+            ),
             Self::SelectTool => {
                 ("Select tool", "Select and drag what is there; drag elsewhere to orbit")
             }
@@ -77,6 +81,13 @@ impl UiCommand {
                 "Click on the floor for a pose of a clip; R or the wheel turns it, [ and ] choose its \
                  frame",
             ),
+            Self::PathTool => {
+                ("Path tool", "Draw on the floor where the body must go, from the playhead on")
+            }
+            Self::ObstacleTool => (
+                "Obstacle tool",
+                "Drag a rectangle on the floor for a box or a ceiling, or a circle for a cylinder",
+            ),
             Self::ByHandTool => (
                 "By hand tool",
                 "Drag a hand or a foot of the shown take to move it around this frame, another joint \
@@ -85,6 +96,23 @@ impl UiCommand {
             Self::AddCheckpoint => (
                 "Add checkpoint here",
                 "Puts a checkpoint in front of the character, at the playhead",
+            ),
+            Self::AddJointTarget => (
+                "Add joint target here",
+                "Asks for the head at the playhead where it is; the inspector has every joint",
+            ),
+            Self::AddPose => (
+                "Add pose here",
+                "Asks for the chosen clip's pose at the playhead, wherever the body is",
+            ),
+            Self::AddStyle => (
+                "Add style",
+                "Asks for clips with a tag over the part that is played, or a second from the \
+                 playhead on",
+            ),
+            Self::MeetHere => (
+                "Meet here",
+                "Has this character and the next face each other in their poses at the playhead",
             ),
             Self::MoveSelection => (
                 "Move",

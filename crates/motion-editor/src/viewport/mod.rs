@@ -497,14 +497,15 @@ impl ViewportPanel {
     }
 }
 
-/// The few things that are switched in the view itself.
-const TOGGLES: [(&str, UiCommand); 6] = [
+/// The tools.
+const TOGGLES: [(&str, UiCommand); 7] = [
     (icons::SELECT, UiCommand::SelectTool),
     (icons::CHECKPOINT, UiCommand::CheckpointTool),
     (icons::JOINT_TARGET, UiCommand::JointTargetTool),
     (icons::POSE, UiCommand::PoseTool),
+    (icons::PATH, UiCommand::PathTool),
+    (icons::OBSTACLE, UiCommand::ObstacleTool),
     (icons::HAND, UiCommand::ByHandTool),
-    (icons::GHOSTS, UiCommand::Ghosts),
 ];
 
 fn toggles_room(rect: Rect) -> Rect {

@@ -159,6 +159,16 @@ fn mark(staged: &mut Staged, is_meant: impl Fn(PickTarget) -> bool, emphasis: Em
     for mark in scene.joint_targets.iter_mut().filter(|mark| is(mark.pick)) {
         mark.emphasis = emphasis;
     }
+    let theme = scene.theme;
+    for line in scene.lines.iter_mut().filter(|line| is(line.pick)) {
+        let role = match emphasis {
+            Emphasis::None => continue,
+            Emphasis::Hovered => ColorRole::Hovered,
+            Emphasis::Selected => ColorRole::Selected,
+        };
+        let share = if emphasis == Emphasis::Hovered { 0.45 } else { 1.0 };
+        line.color = line.color.mixed(role.color(theme), share);
+    }
     for solid in scene.solids.iter_mut().filter(|solid| is(solid.pick)) {
         solid.emphasis = emphasis;
     }
@@ -167,6 +177,8 @@ fn mark(staged: &mut Staged, is_meant: impl Fn(PickTarget) -> bool, emphasis: Em
 /// A checkpoint and the tip of its arrow are selected together.
 pub fn whole(target: PickTarget) -> PickTarget {
     match target {
+        // All of a meeting is one thing.
+        PickTarget::Meeting { interaction, .. } => PickTarget::Meeting { interaction, member: 0 },
         PickTarget::CheckpointTip { character, constraint } => {
             PickTarget::Checkpoint { character, constraint }
         }

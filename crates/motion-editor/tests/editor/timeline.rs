@@ -171,7 +171,8 @@ fn a_rubber_band_selects_what_it_touches() {
     let Some(mut harness) = with_style() else { return };
     let corner = place(&harness, "Body checkpoint 2");
     let style = place(&harness, "Style run, frames");
-    let from = Pos2::new(style.left() - 12.0, style.bottom() - 2.0);
+    // Below the row of styles, where a drag would draw another.
+    let from = Pos2::new(style.left() - 12.0, style.bottom() + 5.0);
     let to = Pos2::new(corner.right() + 30.0, corner.top() - 1.0);
     hold(&mut harness, from, to, Modifiers::NONE);
     assert_eq!(selected(&harness), [20, 110]);

@@ -2,12 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Event, Modifiers, PointerButton, Pos2, Vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, Vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
 use motion_editor::app::EditorApp;
 use motion_editor::project_source::ProjectSource;
 use motion_editor::state::EditorOptions;
 use motion_render::gpu::{AdapterChoice, Gpu};
+use motion_session::{Project, Warnings};
 
 /// Whether anything can draw here; says a line where nothing can (and fails where
 /// `GAITWAY_REQUIRE_GPU` is 1).
@@ -95,4 +97,34 @@ pub(crate) fn drag(harness: &mut Harness<'_, EditorApp>, from: Pos2, by: Vec2) {
 pub(crate) fn button(pos: Pos2, pressed: bool) -> Event {
     let modifiers = Modifiers::NONE;
     Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers }
+}
+
+/// How many steps can be undone.
+pub(crate) fn steps_back(harness: &Harness<'_, EditorApp>) -> usize {
+    harness.state().state.session.history().n_steps().0
+}
+
+/// What is read of the file that a project is saved to.
+pub(crate) fn read_again(project: &Project) -> Project {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("p.gaitway");
+    motion_session::save_project(project, &path).expect("it can be saved");
+    motion_session::load_project(&path, &mut Warnings::new()).expect("it can be read")
+}
+
+/// Brings something of a panel into sight and clicks it.
+pub(crate) fn click(harness: &mut Harness<'_, EditorApp>, role: Role, label: &str) {
+    harness.get_by_role_and_label(role, label).scroll_to_me();
+    harness.run_steps(4);
+    harness.get_by_role_and_label(role, label).click();
+    harness.run_steps(4);
+}
+
+/// Types a number into a field.
+pub(crate) fn type_in(harness: &mut Harness<'_, EditorApp>, label: &str, typed: &str) {
+    click(harness, Role::SpinButton, label);
+    harness.event(Event::Text(typed.to_owned()));
+    harness.run_steps(2);
+    harness.key_press(Key::Enter);
+    harness.run_steps(3);
 }

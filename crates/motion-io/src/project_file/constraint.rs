@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use super::decode::{MAX_HEADING_DEG, MAX_WEIGHT};
-use super::model::{Constraint, ConstraintKind, Length, LengthMode, LockedPiece, Tolerance};
+use super::model::{
+    Constraint, ConstraintKind, Length, LengthMode, LockedPiece, PathHeading, Tolerance,
+};
 use super::names::Ids;
 use crate::diagnostic::{FileError, quoted};
 use crate::json::{Node, Object};
@@ -89,7 +91,8 @@ fn decode_kind(object: &mut Object<'_>) -> Result<ConstraintKind, FileError> {
             if points_m.len() < 2 {
                 return Err(points.error("has fewer than 2 points", "add points [x, z]"));
             }
-            ConstraintKind::Path { from, to, points_m }
+            let heading = object.get("heading").map(decode_path_heading).transpose()?;
+            ConstraintKind::Path { from, to, points_m, heading: heading.unwrap_or_default() }
         }
         "lock" => {
             let (from, to) = span(object)?;
@@ -108,6 +111,14 @@ fn decode_kind(object: &mut Object<'_>) -> Result<ConstraintKind, FileError> {
             ));
         }
     })
+}
+
+fn decode_path_heading(node: Node<'_>) -> Result<PathHeading, FileError> {
+    let name = node.string()?;
+    let known = PathHeading::ALL.into_iter().find(|(known, _)| *known == name);
+    let unknown =
+        || node.error(format!("is {}", quoted(name.as_bytes())), "write \"free\" or \"along\"");
+    Ok(known.ok_or_else(unknown)?.1)
 }
 
 fn decode_piece(node: Node<'_>) -> Result<LockedPiece, FileError> {

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::FORMAT_VERSION;
 use super::model::{
     Character, Constraint, ConstraintKind, Extra, Hashes, Interaction, Length, LengthMode,
-    Obstacle, Palette, Placement, Project, Search, Shape, Tolerance,
+    Obstacle, Palette, PathHeading, Placement, Project, Search, Shape, Tolerance,
 };
 use super::tags::encode_tags;
 
@@ -128,10 +128,13 @@ fn encode_constraint(constraint: &Constraint) -> Value {
             members.put("to", *to);
             members.put("tag", tag.as_str());
         }
-        ConstraintKind::Path { from, to, points_m } => {
+        ConstraintKind::Path { from, to, points_m, heading } => {
             members.put("from", *from);
             members.put("to", *to);
             members.put("points", points_m.iter().map(|p| json!(p)).collect::<Vec<_>>());
+            // Left out where it is what leaving out means, as people write it.
+            let heading = Some(*heading).filter(|&heading| heading != PathHeading::default());
+            members.put_some("heading", heading.map(PathHeading::name));
         }
         ConstraintKind::Lock { from, to, pieces } => {
             members.put("from", *from);

@@ -24,7 +24,8 @@ use crate::read_file::read_file;
 
 pub use model::{
     Character, Constraint, ConstraintKind, Extra, Hashes, Interaction, Length, LengthMode,
-    LockedPiece, Member, Obstacle, Palette, Placement, Project, Search, Shape, TagEntry, Tolerance,
+    LockedPiece, Member, Obstacle, Palette, PathHeading, Placement, Project, Search, Shape,
+    TagEntry, Tolerance,
 };
 pub use names::fault_as_file_name;
 

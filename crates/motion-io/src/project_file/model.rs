@@ -227,6 +227,8 @@ pub enum ConstraintKind {
         to: u32,
         /// At least two points `[x, z]` on the ground, metres.
         points_m: Vec<[f64; 2]>,
+        /// Where it looks meanwhile.
+        heading: PathHeading,
     },
     /// A part of the motion that stays as it is, from a frame to a frame (both included).
     Lock {
@@ -237,6 +239,29 @@ pub enum ConstraintKind {
         /// What is shown there.
         pieces: Vec<LockedPiece>,
     },
+}
+
+/// Where a body looks that follows a path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PathHeading {
+    /// Anywhere.
+    #[default]
+    Free,
+    /// Where the path goes.
+    Along,
+}
+
+impl PathHeading {
+    /// Every choice with its name in files.
+    pub const ALL: [(&str, Self); 2] = [("free", Self::Free), ("along", Self::Along)];
+
+    /// The name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Along => "along",
+        }
+    }
 }
 
 impl ConstraintKind {

@@ -92,6 +92,21 @@ fn a_full_project_round_trips_byte_for_byte() {
 }
 
 #[test]
+fn a_path_says_where_one_looks_on_it() {
+    let heading = |written: &str| {
+        let text = FULL.replacen("[1.0, 2.0]]", &format!("[1.0, 2.0]]{written}"), 1);
+        let project = read_text(&text).expect("a sound project");
+        let ConstraintKind::Path { heading, .. } = project.characters[0].constraints[5].kind else {
+            panic!("the sixth is the path")
+        };
+        (heading, write(&project).contains("\"along\""))
+    };
+    assert_eq!(heading(", \"heading\": \"along\""), (PathHeading::Along, true));
+    assert_eq!(heading(", \"heading\": \"free\""), (PathHeading::Free, false));
+    assert_eq!(heading(""), (PathHeading::Free, false));
+}
+
+#[test]
 fn numbers_survive_bit_for_bit() {
     for number in ["0.1", "1e-7", "0.30000000000000004", "-123.456789012345678", "5e-324"] {
         let project = read_text(FULL.replacen("3.0, 1.0", &format!("3.0, {number}"), 1)).unwrap();

@@ -7,7 +7,9 @@ use motion_core::by_hand::{Knot, Limb, Space};
 use motion_core::tags::HandTag;
 use motion_core::units::FrameIdx;
 use motion_io::diagnostic::Warnings;
-use motion_io::project_file::{self, LengthMode, Palette, Shape, Tolerance};
+use motion_io::project_file::{
+    self, LengthMode, Member, Palette, PathHeading, Placement, Shape, Tolerance,
+};
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::TestCaseError;
@@ -81,6 +83,21 @@ fn shape() -> impl Strategy<Value = Shape> {
             _ => Shape::Cylinder { center_m, radius_m: size, height_m: 1.0 },
         }
     })
+}
+
+/// Who meets whom, and where each stands.
+fn meeting() -> impl Strategy<Value = (Vec<Member>, Vec<Placement>)> {
+    let member =
+        (text(), text(), frame(), metres()).prop_map(|(character, clip, clip_frame, x)| {
+            let member = Member { character, clip, clip_frame, extra: Default::default() };
+            let extra = Default::default();
+            (member, Placement { position_m: [x, 1.0], heading_deg: 180.0, extra })
+        });
+    prop::collection::vec(member, 1..4).prop_map(|both| both.into_iter().unzip())
+}
+
+fn interaction_id() -> impl Strategy<Value = String> {
+    select(vec!["interaction-1", "interaction-2", "none"]).prop_map(str::to_owned)
 }
 
 fn take() -> impl Strategy<Value = StoredTake> {
@@ -176,6 +193,11 @@ fn command() -> impl Strategy<Value = Command> {
             |(character, from, to, points_m)| C::AddPath { character, from, to, points_m }
         ),
         shape().prop_map(|shape| C::AddObstacle { shape }),
+        (frame(), meeting()).prop_map(|(frame, (members, relative))| C::AddInteraction {
+            frame,
+            members,
+            relative
+        }),
         text().prop_map(|name| C::AddCharacter { name }),
         (at(), frame()).prop_map(|(at, frame)| C::Duplicate { at, frame }),
     ];
@@ -187,6 +209,21 @@ fn command() -> impl Strategy<Value = Command> {
         (at(), prop::option::of(space()))
             .prop_map(|(at, velocity_m_s)| C::SetVelocity { at, velocity_m_s }),
         (at(), text()).prop_map(|(at, tag)| C::SetTag { at, tag }),
+        (at(), prop::option::of(plane()))
+            .prop_map(|(at, position_m)| C::SetPlace { at, position_m }),
+        (at(), text()).prop_map(|(at, joint)| C::SetJoint { at, joint }),
+        (at(), text(), frame()).prop_map(|(at, clip, clip_frame)| C::SetPoseSource {
+            at,
+            clip,
+            clip_frame
+        }),
+        (at(), select(vec![PathHeading::Free, PathHeading::Along]))
+            .prop_map(|(at, heading)| C::SetPathHeading { at, heading }),
+        (interaction_id(), frame(), meeting()).prop_map(|(id, frame, (members, relative))| {
+            C::ChangeInteraction { id, frame, members, relative }
+        }),
+        (interaction_id(), weight())
+            .prop_map(|(id, weight)| C::SetInteractionWeight { id, weight }),
         (at(), frame()).prop_map(|(at, frame)| C::Retime { at, frame }),
         (at(), frame(), frame()).prop_map(|(at, from, to)| C::RetimeSpan { at, from, to }),
         (at(), weight()).prop_map(|(at, weight)| C::SetWeight { at, weight }),
@@ -224,6 +261,7 @@ fn command() -> impl Strategy<Value = Command> {
     ];
     let removing = prop_oneof![
         at().prop_map(|at| C::Remove { at }),
+        interaction_id().prop_map(|id| C::RemoveInteraction { id }),
         (0usize..3).prop_map(|nth| C::RemoveObstacle { obstacle: ObstacleIdx(nth) }),
         character().prop_map(|character| C::RemoveCharacter { character }),
     ];

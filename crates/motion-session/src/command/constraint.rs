@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use motion_io::limits::{MAX_CONSTRAINTS, MAX_LIST};
 use motion_io::project_file::{
-    Character, Constraint, ConstraintKind, Extra, LengthMode, Tolerance,
+    Character, Constraint, ConstraintKind, Extra, LengthMode, PathHeading, Tolerance,
 };
 
 use super::{CommandError, check};
@@ -104,6 +104,20 @@ pub(super) fn move_to(
     })
 }
 
+pub(super) fn set_place(
+    document: &mut Document,
+    at: &ConstraintRef,
+    to_m: Option<[f64; 2]>,
+) -> Result<(), CommandError> {
+    change(document, at, |constraint| match &mut constraint.kind {
+        ConstraintKind::Pose { position_m, .. } => {
+            *position_m = to_m;
+            Ok(())
+        }
+        other => Err(lacks(other, "place that may be any")),
+    })
+}
+
 pub(super) fn turn(
     document: &mut Document,
     at: &ConstraintRef,
@@ -146,6 +160,35 @@ pub(super) fn move_joint(
     })
 }
 
+pub(super) fn set_joint(
+    document: &mut Document,
+    at: &ConstraintRef,
+    new: String,
+) -> Result<(), CommandError> {
+    change(document, at, |constraint| match &mut constraint.kind {
+        ConstraintKind::Joint { joint, .. } => {
+            *joint = new;
+            Ok(())
+        }
+        other => Err(lacks(other, "joint")),
+    })
+}
+
+pub(super) fn set_pose_source(
+    document: &mut Document,
+    at: &ConstraintRef,
+    new: String,
+    new_frame: u32,
+) -> Result<(), CommandError> {
+    change(document, at, |constraint| match &mut constraint.kind {
+        ConstraintKind::Pose { clip, clip_frame, .. } => {
+            (*clip, *clip_frame) = (new, new_frame);
+            Ok(())
+        }
+        other => Err(lacks(other, "pose of a clip")),
+    })
+}
+
 pub(super) fn set_velocity(
     document: &mut Document,
     at: &ConstraintRef,
@@ -185,6 +228,20 @@ pub(super) fn reshape(
             Ok(())
         }
         other => Err(lacks(other, "points")),
+    })
+}
+
+pub(super) fn set_path_heading(
+    document: &mut Document,
+    at: &ConstraintRef,
+    new: PathHeading,
+) -> Result<(), CommandError> {
+    change(document, at, |constraint| match &mut constraint.kind {
+        ConstraintKind::Path { heading, .. } => {
+            *heading = new;
+            Ok(())
+        }
+        other => Err(lacks(other, "way to look along")),
     })
 }
 
@@ -302,7 +359,7 @@ fn check_kind(
             check::name(tag, "a style")?;
             check_span(*from, *to)?;
         }
-        ConstraintKind::Path { from, to, points_m } => {
+        ConstraintKind::Path { from, to, points_m, heading: _ } => {
             check_span(*from, *to)?;
             points_m.iter().try_for_each(|point| check::place(point))?;
             let fine = (2..=MAX_LIST).contains(&points_m.len());

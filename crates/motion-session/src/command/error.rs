@@ -12,6 +12,12 @@ pub enum CommandError {
     /// No such obstacle.
     #[error("there is no such obstacle any more")]
     NoObstacle,
+    /// No such interaction.
+    #[error("there is no meeting {0:?} any more")]
+    NoInteraction(String),
+    /// Nobody meets himself.
+    #[error("a meeting is of two or more characters, each of them once")]
+    MeetsNobody,
     /// No such take.
     #[error("this take is not kept with the project; pin or name it first")]
     NoTake,

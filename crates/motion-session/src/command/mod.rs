@@ -8,6 +8,7 @@ mod character;
 mod check;
 mod constraint;
 pub mod error;
+mod interaction;
 mod label;
 mod settings;
 mod tagging;
@@ -18,7 +19,8 @@ pub(crate) mod arbitrary;
 use motion_core::by_hand::Knot;
 use motion_core::tags::HandTag;
 use motion_io::project_file::{
-    ConstraintKind, LengthMode, LockedPiece, Obstacle, Palette, Shape, Tolerance,
+    ConstraintKind, LengthMode, LockedPiece, Member, Obstacle, Palette, PathHeading, Placement,
+    Shape, Tolerance,
 };
 
 use crate::document::{
@@ -85,6 +87,11 @@ pub enum Command {
         at: ConstraintRef,
         position_m: [f64; 2],
     },
+    /// A pose to a place on the floor, or to wherever the body is then.
+    SetPlace {
+        at: ConstraintRef,
+        position_m: Option<[f64; 2]>,
+    },
     /// A checkpoint or a pose to another heading, or to any.
     Turn {
         at: ConstraintRef,
@@ -100,6 +107,17 @@ pub enum Command {
         at: ConstraintRef,
         position_m: [f64; 3],
     },
+    /// Another joint to be at the place of a joint target.
+    SetJoint {
+        at: ConstraintRef,
+        joint: String,
+    },
+    /// Another pose to be taken.
+    SetPoseSource {
+        at: ConstraintRef,
+        clip: String,
+        clip_frame: u32,
+    },
     /// How fast the joint goes there.
     SetVelocity {
         at: ConstraintRef,
@@ -114,6 +132,11 @@ pub enum Command {
     Reshape {
         at: ConstraintRef,
         points_m: Vec<[f64; 2]>,
+    },
+    /// Where the body looks on its way along a path.
+    SetPathHeading {
+        at: ConstraintRef,
+        heading: PathHeading,
     },
     /// A checkpoint, joint target or pose to another frame; others keep their length and begin there.
     Retime {
@@ -144,6 +167,28 @@ pub enum Command {
     SetTolerance {
         at: ConstraintRef,
         tolerance: Option<Tolerance>,
+    },
+
+    /// Characters who stand to each other in a given way, each in a pose, at a frame. Its id is
+    /// [`Document::next_interaction_id`].
+    AddInteraction {
+        frame: u32,
+        members: Vec<Member>,
+        relative: Vec<Placement>,
+    },
+    /// Another moment, other members, poses or places of an interaction.
+    ChangeInteraction {
+        id: String,
+        frame: u32,
+        members: Vec<Member>,
+        relative: Vec<Placement>,
+    },
+    SetInteractionWeight {
+        id: String,
+        weight: Option<f64>,
+    },
+    RemoveInteraction {
+        id: String,
     },
 
     AddObstacle {
@@ -299,26 +344,42 @@ fn apply_in_place(document: &mut Document, command: &Command) -> Result<(), Comm
             constraint::add(document, character, ConstraintKind::Style { from, to, tag })
         }
         C::AddPath { character, from, to, points_m } => {
-            constraint::add(document, character, ConstraintKind::Path { from, to, points_m })
+            let heading = PathHeading::default();
+            let kind = ConstraintKind::Path { from, to, points_m, heading };
+            constraint::add(document, character, kind)
         }
         C::AddLock { character, from, to, pieces } => {
             constraint::add(document, character, ConstraintKind::Lock { from, to, pieces })
         }
         C::Move { at, position_m } => constraint::move_to(document, &at, position_m),
+        C::SetPlace { at, position_m } => constraint::set_place(document, &at, position_m),
         C::Turn { at, heading_deg } => constraint::turn(document, &at, heading_deg),
         C::Raise { at, height_m } => constraint::raise(document, &at, height_m),
         C::MoveJointTarget { at, position_m } => constraint::move_joint(document, &at, position_m),
+        C::SetJoint { at, joint } => constraint::set_joint(document, &at, joint),
+        C::SetPoseSource { at, clip, clip_frame } => {
+            constraint::set_pose_source(document, &at, clip, clip_frame)
+        }
         C::SetVelocity { at, velocity_m_s } => {
             constraint::set_velocity(document, &at, velocity_m_s)
         }
         C::SetTag { at, tag } => constraint::set_tag(document, &at, tag),
         C::Reshape { at, points_m } => constraint::reshape(document, &at, points_m),
+        C::SetPathHeading { at, heading } => constraint::set_path_heading(document, &at, heading),
         C::Retime { at, frame } => constraint::retime(document, &at, frame),
         C::RetimeSpan { at, from, to } => constraint::retime_span(document, &at, from, to),
         C::Duplicate { at, frame } => constraint::duplicate(document, &at, frame),
         C::Remove { at } => constraint::remove(document, &at),
         C::SetWeight { at, weight } => constraint::set_weight(document, &at, weight),
         C::SetTolerance { at, tolerance } => constraint::set_tolerance(document, &at, tolerance),
+        C::AddInteraction { frame, members, relative } => {
+            interaction::add(document, frame, members, relative)
+        }
+        C::ChangeInteraction { id, frame, members, relative } => {
+            interaction::change(document, &id, frame, members, relative)
+        }
+        C::SetInteractionWeight { id, weight } => interaction::set_weight(document, &id, weight),
+        C::RemoveInteraction { id } => interaction::remove(document, &id),
         C::AddObstacle { shape } => settings::add_obstacle(document, shape),
         C::ChangeObstacle { obstacle, shape } => {
             settings::change_obstacle(document, obstacle, shape)

@@ -203,3 +203,74 @@ fn tags_are_given_to_clips_and_taken_again() {
     let gone = apply_all(&tagged, &[untag(over("tired", None)), untag(over("limp", Some((3, 9))))]);
     assert_eq!(gone, Ok(document()));
 }
+
+#[test]
+fn characters_meet_and_part() {
+    let member = |character: &str, clip: &str| Member {
+        character: character.to_owned(),
+        clip: clip.to_owned(),
+        clip_frame: 10,
+        extra: Default::default(),
+    };
+    let stands =
+        |z, heading_deg| Placement { position_m: [0.0, z], heading_deg, extra: Default::default() };
+    let relative = vec![stands(0.0, 0.0), stands(1.0, 180.0)];
+    let meet = |members| Command::AddInteraction { frame: 90, members, relative: relative.clone() };
+    let both = vec![member("A", "walk"), member("B", "walk")];
+    let add = [Command::AddCharacter { name: "B".to_owned() }, meet(both.clone())];
+    let with = |more: &[Command]| [&add[..], more].concat();
+    check(&[meet(both.clone())], "there is no such character any more");
+    let alone = "a meeting is of two or more characters, each of them once";
+    check(&with(&[meet(vec![member("A", "walk"), member("A", "walk")])]), alone);
+    check(&with(&[meet(vec![member("A", "walk")])]), alone);
+    check(
+        &with(&[meet(vec![member("A", "walk"), member("B", " ")])]),
+        "a pose's clip needs a name",
+    );
+    let id = || "interaction-1".to_owned();
+    let later = Command::ChangeInteraction {
+        id: id(),
+        frame: 100,
+        members: both,
+        relative: relative.clone(),
+    };
+    let with_both = Command::RemoveCharacter { character: CharacterIdx(1) };
+    let part = Command::RemoveInteraction { id: id() };
+    check(
+        &with(std::slice::from_ref(&with_both)),
+        "\"B\" meets somebody in an interaction; delete that first",
+    );
+    check(&with(&[part.clone(), with_both]), "fine");
+    check(&with(&[part.clone(), part]), "there is no meeting \"interaction-1\" any more");
+    let before = apply_all(&document(), &add).unwrap();
+    let after = apply(&before, &later).unwrap();
+    assert_eq!(after.interactions()[0].frame, 100);
+    assert!(!after.asks_the_same_as(&before), "another moment is another question");
+    assert!(Arc::ptr_eq(&after.characters, &before.characters));
+}
+
+#[test]
+fn poses_and_joints_are_exchanged_and_let_loose() {
+    let character = CharacterIdx(0);
+    let pose = Command::AddPose {
+        character,
+        frame: 60,
+        clip: "walk".to_owned(),
+        clip_frame: 3,
+        position_m: Some([1.0, 2.0]),
+        heading_deg: None,
+    };
+    let source =
+        |at, clip: &str| Command::SetPoseSource { at, clip: clip.to_owned(), clip_frame: 9 };
+    let anywhere = |at| Command::SetPlace { at, position_m: None };
+    let after = apply_all(&document(), &[pose.clone(), anywhere(at("pose-1"))]).unwrap();
+    let kind = after.constraint(&at("pose-1")).map(|c| c.kind.clone());
+    assert!(matches!(kind, Some(ConstraintKind::Pose { position_m: None, .. })), "{kind:?}");
+    check(&[pose.clone(), source(at("pose-1"), "run")], "fine");
+    check(&[pose, source(at("pose-1"), "")], "a pose's clip needs a name");
+    check(&[anywhere(at("end"))], "a body constraint has no place that may be any");
+    let joint = Command::SetJoint { at: at("end"), joint: "Head".to_owned() };
+    check(&[joint], "a body constraint has no joint");
+    let along = Command::SetPathHeading { at: at("end"), heading: PathHeading::Along };
+    check(&[along], "a body constraint has no way to look along");
+}

@@ -146,11 +146,25 @@ impl Document {
         ids.into_iter().find(|id| taken.iter().all(|c| c.id != *id)).unwrap_or_default()
     }
 
+    /// The id that the next interaction gets: the first free of `interaction-1`, ….
+    pub fn next_interaction_id(&self) -> String {
+        let taken = self.interactions();
+        // Of one more than there are, one is free.
+        let ids = (1..=taken.len() + 1).map(|nth| format!("interaction-{nth}"));
+        ids.into_iter().find(|id| taken.iter().all(|i| i.id != *id)).unwrap_or_default()
+    }
+
+    /// An interaction, if it is there.
+    pub fn interaction(&self, id: &str) -> Option<&Interaction> {
+        self.interactions().iter().find(|interaction| interaction.id == id)
+    }
+
     /// Whether both speak of the same motions: everything but names and kept takes is equal.
     pub fn asks_the_same_as(&self, other: &Self) -> bool {
         let of_head = |d: &Self| {
-            let Project { fps, library, palette, tags, search, .. } = &*d.head;
-            (*fps, library.clone(), palette.clone(), tags.clone(), search.clone())
+            let Project { fps, library, palette, tags, search, interactions, .. } = &*d.head;
+            let asked = (palette.clone(), tags.clone(), search.clone(), interactions.clone());
+            (*fps, library.clone(), asked)
         };
         let same_head = Arc::ptr_eq(&self.head, &other.head) || of_head(self) == of_head(other);
         same_head
@@ -166,9 +180,10 @@ impl Document {
         const PER_TAKE: usize = 1024;
         const PER_EDIT: usize = 192;
         const PER_OBSTACLE: usize = 160;
+        const PER_INTERACTION: usize = 512;
         let mut bytes = size_of::<Self>();
         if !Arc::ptr_eq(&self.head, &other.head) {
-            bytes += size_of::<Project>();
+            bytes += size_of::<Project>() + PER_INTERACTION * self.head.interactions.len();
         }
         if !Arc::ptr_eq(&self.characters, &other.characters) {
             for (nth, character) in self.characters.iter().enumerate() {

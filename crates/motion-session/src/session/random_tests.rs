@@ -57,6 +57,7 @@ fn op() -> impl Strategy<Value = Op> {
         prop::sample::select(vec!["start", "corner", "end", "body-1", "none"])
             .prop_map(|id| Selectable::Constraint(ConstraintRef::new(CharacterIdx(0), id))),
         (0usize..3).prop_map(|nth| Selectable::Obstacle(ObstacleIdx(nth))),
+        (1usize..3).prop_map(|nth| Selectable::Interaction(format!("interaction-{nth}"))),
     ];
     let range = (0u32..400, 0u32..400)
         .prop_map(|(from, to)| PlaybackCommand::SetRange(Some(PlayRange { from, to })));

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
-use motion_io::project_file::{Constraint, ConstraintKind};
+use motion_core::planar::PlanarTransform;
+use motion_io::project_file::{Constraint, ConstraintKind, Interaction, Member};
 use motion_scene::color::Theme;
 
 use super::Session;
@@ -11,6 +12,7 @@ use crate::document::{CharacterIdx, TakeId};
 use crate::live::Take;
 use crate::stage::actor::Actor;
 use crate::stage::cast::look_of;
+use crate::stage::meeting_wishes::{MeetingWish, placed, torso_at};
 use crate::stage::pose_wishes::{PoseWish, placed_pose, top_of_m};
 use crate::stage::{Role, Stage};
 
@@ -38,7 +40,8 @@ impl Session {
             }
         };
         let roles = characters.iter().enumerate().map(role).collect();
-        Stage { theme, actors, roles, obstacles: self.document().obstacles().to_vec() }
+        let obstacles = self.document().obstacles().to_vec();
+        Stage { theme, actors, roles, obstacles, meetings: self.meetings() }
     }
 
     /// A character's pose constraints as bodies. One that may be anywhere is where the shown motion
@@ -75,6 +78,34 @@ impl Session {
             })
         };
         constraints.iter().enumerate().filter_map(wish).collect()
+    }
+
+    /// Who meets whom, where the first of them is then in the shown take.
+    fn meetings(&self) -> Vec<MeetingWish> {
+        let interactions = self.document().interactions().iter().enumerate();
+        interactions.filter_map(|(nth, interaction)| self.meeting(nth, interaction)).collect()
+    }
+
+    fn meeting(&self, nth: usize, interaction: &Interaction) -> Option<MeetingWish> {
+        let ready = self.library()?;
+        let characters = self.document().characters();
+        let first = characters.iter().position(|c| c.name == interaction.members[0].character)?;
+        let shown = self.shown_of(CharacterIdx(first));
+        let made = shown.and_then(|shown| shown.take.made.as_ref());
+        let anchor = made.and_then(|made| torso_at(&made.motion, interaction.frame));
+        let places = placed(&interaction.relative, anchor.unwrap_or(PlanarTransform::IDENTITY));
+        let body = |(member, place): (&Member, &PlanarTransform)| {
+            let (at_m, heading_rad) = (Some(place.ground_m()), Some(place.heading_rad()));
+            let joints = placed_pose(ready, &member.clip, member.clip_frame, at_m, heading_rad);
+            (ready.figure.mesh, joints)
+        };
+        Some(MeetingWish {
+            interaction: nth,
+            frame: interaction.frame,
+            names: interaction.members.iter().map(|m| m.character.clone()).collect(),
+            bodies: interaction.members.iter().zip(&places).map(body).collect(),
+            places,
+        })
     }
 
     /// A character in a take of its own, to be shown as a ghost or beside another; `None` while its

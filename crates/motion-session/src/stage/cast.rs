@@ -89,7 +89,13 @@ pub fn stage_of_project(
             .unwrap_or_default(),
         poses: Vec::new(),
     });
-    Stage { theme, actors, roles: roles.collect(), obstacles: project.obstacles.clone() }
+    Stage {
+        theme,
+        actors,
+        roles: roles.collect(),
+        obstacles: project.obstacles.clone(),
+        meetings: Vec::new(),
+    }
 }
 
 /// The actor number `nth` (from 0) as a mannequin.

@@ -13,7 +13,9 @@ pub mod pick;
 pub mod body_plan;
 pub mod fan;
 pub mod head_droop;
+pub mod meeting_wishes;
 pub mod obstacles;
+mod path_wish;
 pub mod pose;
 pub mod pose_wishes;
 pub mod ramp;
@@ -37,6 +39,7 @@ use motion_scene::scene::Scene;
 use motion_scene::trail::Trail;
 
 use actor::Actor;
+use meeting_wishes::MeetingWish;
 use pick::{PickTarget, Picks};
 use pose_wishes::PoseWish;
 use wishes::Reality;
@@ -52,6 +55,8 @@ pub struct Stage {
     pub roles: Vec<Role>,
     /// What stands in the way.
     pub obstacles: Vec<Obstacle>,
+    /// Where they meet, where somebody could pose them.
+    pub meetings: Vec<MeetingWish>,
 }
 
 /// What a project says of an actor.
@@ -103,7 +108,7 @@ const TRAIL_PT: f32 = 2.5;
 impl Stage {
     /// Actors alone.
     pub fn new(theme: Theme, actors: Vec<Actor>) -> Self {
-        Self { theme, actors, roles: Vec::new(), obstacles: Vec::new() }
+        Self { theme, actors, roles: Vec::new(), obstacles: Vec::new(), meetings: Vec::new() }
     }
 
     /// Frames of the longest motion; actors whose motions are over hold their last pose.
@@ -176,11 +181,16 @@ impl Stage {
             scene.checkpoints.extend(found.checkpoints);
             scene.joint_targets.extend(found.joint_targets);
             scene.lines.extend(found.lines);
+            scene.solids.extend(found.solids);
+            scene.labels.extend(found.labels);
             for pose in &role.poses {
                 let (body, label) = pose.staged(nth, &role.misses, self.theme, &mut picks);
                 scene.bodies.push(body);
                 scene.labels.push(label);
             }
+        }
+        for meeting in &self.meetings {
+            meeting.add_to(&mut scene, self.theme, &mut picks);
         }
         Staged { scene, picks }
     }

@@ -45,6 +45,20 @@ pub enum PickTarget {
         /// Which of the character's constraints.
         constraint: usize,
     },
+    /// A path to follow.
+    Path {
+        /// Whose.
+        character: usize,
+        /// Which of the character's constraints.
+        constraint: usize,
+    },
+    /// A character's part in a meeting.
+    Meeting {
+        /// Which of the project's.
+        interaction: usize,
+        /// Which of its members.
+        member: usize,
+    },
     /// Something in the way.
     Obstacle {
         /// Which of the project's.

@@ -5,9 +5,12 @@ use motion_io::project_file::{Constraint, ConstraintKind};
 use motion_io::report_file::ConstraintReport;
 use motion_scene::body::Emphasis;
 use motion_scene::color::{ColorRole, Theme};
+use motion_scene::label::Label;
 use motion_scene::line::Line;
 use motion_scene::marker::{Checkpoint, JointTarget};
+use motion_scene::solid::Solid;
 
+use super::path_wish::path_wish;
 use super::pick::{PickTarget, Picks};
 
 /// What a motion makes of the constraints.
@@ -26,8 +29,12 @@ pub struct Wishes {
     pub checkpoints: Vec<Checkpoint>,
     /// Joint constraints, in the project's order.
     pub joint_targets: Vec<JointTarget>,
-    /// Paths to follow, and where bodies really are.
+    /// Paths to follow, velocities, and where bodies really are.
     pub lines: Vec<Line>,
+    /// Balls in which joints may be.
+    pub solids: Vec<Solid>,
+    /// What is said of paths.
+    pub labels: Vec<Label>,
 }
 
 /// A miss smaller than this is none that anybody could see, metres.
@@ -38,6 +45,18 @@ const SHOWN_MISS_DEG: f64 = 0.5;
 const JOINED_MISS_M: f32 = 0.02;
 /// Lines over the floor, so that they do not fight with it for the same depth, metres.
 const LIFT_M: f32 = 0.006;
+
+/// A velocity is drawn as the way that it leads in so many seconds.
+pub const VELOCITY_SECS: f32 = 0.25;
+
+/// Where the arrow of a joint target's velocity ends.
+pub fn velocity_tip_m(at_m: Vec3, velocity_m_s: Vec3) -> Vec3 {
+    at_m + velocity_m_s * VELOCITY_SECS
+}
+
+fn vec3(numbers: [f64; 3]) -> Vec3 {
+    Vec3::from_array(numbers.map(|x| x as f32))
+}
 
 /// A body constraint, taken apart.
 struct Place<'a> {
@@ -89,24 +108,45 @@ pub fn wishes(
             found.lines.extend(line_to_body(position_m, place.frame, is_last, reality, theme));
         }
     }
+    let mut n_paths = 0;
     for (nth, constraint) in constraints.iter().enumerate() {
         match &constraint.kind {
-            ConstraintKind::Joint { frame, joint, position_m, .. } => {
-                let at_m = Vec3::from_array(position_m.map(|x| x as f32));
+            ConstraintKind::Joint { frame, joint, position_m, velocity_m_s } => {
+                let at_m = vec3(*position_m);
                 let miss = reality.and_then(|reality| miss_of(reality, &constraint.id));
+                let pick = picks.name(PickTarget::JointTarget { character, constraint: nth });
+                let mut label = format!("{joint} · f {frame} · {:.2} m", at_m.y);
+                if let Some(velocity_m_s) = velocity_m_s.map(vec3) {
+                    label += &format!(" · {:.1} m/s", velocity_m_s.length());
+                    let color = ColorRole::JointTarget.color(theme);
+                    let tip_m = velocity_tip_m(at_m, velocity_m_s);
+                    let line = |points_m, width_pt| Line::new(points_m, color, width_pt);
+                    found.lines.push(Line { pick, ..line(vec![at_m, tip_m], 2.5) });
+                    found.lines.push(Line { pick, ..line(vec![tip_m], 7.0) });
+                }
+                if let Some(radius_m) = constraint.tolerance.as_ref().and_then(|t| t.position_m) {
+                    let color = ColorRole::JointTarget.color(theme).with_alpha(0.14);
+                    found.solids.push(Solid::ball(at_m, radius_m as f32, color));
+                }
+                label += &miss_text(miss);
                 found.joint_targets.push(JointTarget {
                     position_m: at_m,
                     floor_m: 0.0,
-                    label: format!("{joint} · f {frame} · {:.2} m{}", at_m.y, miss_text(miss)),
+                    label,
                     is_off: !miss_text(miss).is_empty(),
                     emphasis: Emphasis::None,
-                    pick: picks.name(PickTarget::JointTarget { character, constraint: nth }),
+                    pick,
                 });
             }
-            ConstraintKind::Path { points_m, .. } => {
-                let points = points_m.iter().map(|&[x, z]| Vec3::new(x as f32, LIFT_M, z as f32));
-                let color = ColorRole::Checkpoint.color(theme).with_alpha(0.8);
-                found.lines.push(Line::new(points.collect(), color, 2.5));
+            ConstraintKind::Path { .. } => {
+                n_paths += 1;
+                let miss = reality.and_then(|reality| miss_of(reality, &constraint.id));
+                let pick = picks.name(PickTarget::Path { character, constraint: nth });
+                let seen = path_wish(constraint, n_paths, miss, theme, pick);
+                if let Some((lines, label)) = seen {
+                    found.lines.extend(lines);
+                    found.labels.push(label);
+                }
             }
             _ => {}
         }
@@ -263,5 +303,10 @@ mod tests {
         let target = &found.joint_targets[0];
         assert_eq!(target.position_m, Vec3::new(1.2, 2.0, 0.4));
         assert_eq!(target.label, "Head · f 120 · 2.00 m");
+        let fast = joint.replace('}', ", \"velocity\": [0, 3.0, -4.0], \"tolerance\": 0.2}");
+        let found = wishes(&constraints(&fast), 0, None, Theme::Dark, &mut Picks::default());
+        assert_eq!(found.joint_targets[0].label, "Head · f 120 · 2.00 m · 5.0 m/s");
+        assert_eq!(found.lines[0].points_m[1], Vec3::new(1.2, 2.75, -0.6), "a quarter second on");
+        assert_eq!(found.solids.len(), 1, "where it may be");
     }
 }

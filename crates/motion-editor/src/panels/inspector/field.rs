@@ -60,6 +60,32 @@ pub fn number_row_ui(
     });
 }
 
+/// A row with the parts of one thing, each behind its letter. `make` says what all of them do when
+/// one is another number.
+pub fn parts_row_ui<const N: usize>(
+    ui: &mut Ui,
+    name: &str,
+    parts: [(&str, Number<'_>); N],
+    values: [f64; N],
+    state: &mut EditorState,
+    make: impl Fn([f64; N]) -> Vec<Command>,
+) {
+    row_ui(ui, |ui| {
+        name_ui(ui, name);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = theme::GRID;
+            for (nth, (letter, number)) in parts.into_iter().enumerate().rev() {
+                let size = if N > 2 { NARROW_PT } else { FIELD_PT };
+                sized_number_ui(ui, (number, letter, size), values[nth], state, |value| {
+                    let mut values = values;
+                    values[nth] = value;
+                    make(values)
+                });
+            }
+        });
+    });
+}
+
 /// A number alone.
 pub fn number_ui(
     ui: &mut Ui,
@@ -68,8 +94,19 @@ pub fn number_ui(
     state: &mut EditorState,
     make: impl Fn(f64) -> Vec<Command>,
 ) -> Response {
+    sized_number_ui(ui, (number, "", FIELD_PT), value, state, make)
+}
+
+fn sized_number_ui(
+    ui: &mut Ui,
+    (number, letter, width_pt): (Number<'_>, &str, f32),
+    value: f64,
+    state: &mut EditorState,
+    make: impl Fn(f64) -> Vec<Command>,
+) -> Response {
     let mut new = value;
     let field = DragValue::new(&mut new)
+        .prefix(letter)
         .speed(number.speed)
         .fixed_decimals(number.decimals)
         .range(number.range.0..=number.range.1)
@@ -79,7 +116,7 @@ pub fn number_ui(
         let p = theme::of(ui);
         // A ground of its own says that it can be typed into.
         ui.visuals_mut().widgets.inactive.weak_bg_fill = p.raised;
-        ui.add_sized([FIELD_PT, theme::ROW_HEIGHT - 4.0], field)
+        ui.add_sized([width_pt, theme::ROW_HEIGHT - 4.0], field)
     });
     let response = response.inner;
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(number.name));
@@ -103,6 +140,8 @@ pub fn number_ui(
 
 /// How wide a field is, points.
 const FIELD_PT: f32 = 84.0;
+/// How wide one of three is, points.
+const NARROW_PT: f32 = 68.0;
 
 /// A row with words that can be changed; `None` until they have been.
 pub fn text_row_ui(ui: &mut Ui, name: &str, value: &str) -> Option<String> {
@@ -181,7 +220,8 @@ pub fn row_ui(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
     ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), add);
 }
 
-fn name_ui(ui: &mut Ui, name: &str) {
+/// What a row is called.
+pub(super) fn name_ui(ui: &mut Ui, name: &str) {
     ui.label(RichText::new(name).color(theme::of(ui).faint));
 }
 

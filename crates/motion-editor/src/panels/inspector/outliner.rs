@@ -3,11 +3,14 @@
 use egui::{Align2, Pos2, Role, Sense, Ui, Vec2, WidgetInfo};
 use motion_scene::color::ColorRole;
 use motion_session::ConstraintKind;
+use motion_session::document::ObstacleIdx;
 use motion_session::selection::Selectable;
+use motion_session::stage::meeting_wishes::title;
 use motion_session::stage::pick::PickTarget;
 
 use super::{empty_ui, heading_ui};
 use crate::mark::Mark;
+use crate::obstacle_form::{self, ObstacleForm};
 use crate::state::EditorState;
 use crate::theme;
 
@@ -23,6 +26,92 @@ pub(super) fn outliner_ui(ui: &mut Ui, state: &mut EditorState) {
         line_ui(ui, mark, state);
     }
     ui.spacing_mut().item_spacing.y = theme::GRID;
+    things_ui(ui, state);
+}
+
+/// Meetings and obstacles, where there are any.
+fn things_ui(ui: &mut Ui, state: &mut EditorState) {
+    let document = state.session.document();
+    let meetings: Vec<Thing> = document
+        .interactions()
+        .iter()
+        .enumerate()
+        .map(|(nth, meeting)| Thing {
+            item: Selectable::Interaction(meeting.id.clone()),
+            target: PickTarget::Meeting { interaction: nth, member: 0 },
+            title: title(meeting),
+            beside: format!("f {}", meeting.frame),
+            role: ColorRole::Pose,
+        })
+        .collect();
+    let obstacles: Vec<Thing> = document
+        .obstacles()
+        .iter()
+        .enumerate()
+        .map(|(nth, obstacle)| {
+            let (_, top) = obstacle_form::levels_m(&obstacle.shape);
+            Thing {
+                item: Selectable::Obstacle(ObstacleIdx(nth)),
+                target: PickTarget::Obstacle { obstacle: nth },
+                title: format!("{} {}", ObstacleForm::of(&obstacle.shape).name(), nth + 1),
+                beside: format!("{top:.2} m high"),
+                role: ColorRole::Obstacle,
+            }
+        })
+        .collect();
+    for (name, things) in [("Meetings", meetings), ("Obstacles", obstacles)] {
+        if things.is_empty() {
+            continue;
+        }
+        heading_ui(ui, name, &things.len().to_string());
+        ui.spacing_mut().item_spacing.y = 0.0;
+        things.iter().for_each(|thing| thing.line_ui(ui, state));
+        ui.spacing_mut().item_spacing.y = theme::GRID;
+    }
+}
+
+/// Something that is no constraint of one character.
+struct Thing {
+    item: Selectable,
+    target: PickTarget,
+    title: String,
+    beside: String,
+    role: ColorRole,
+}
+
+impl Thing {
+    fn line_ui(&self, ui: &mut Ui, state: &mut EditorState) {
+        let palette = theme::of(ui);
+        let size = Vec2::new(ui.available_width(), theme::ROW_HEIGHT);
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        let is_selected = state.session.selection().contains(&self.item);
+        let label = format!("{}, {}", self.title, self.beside);
+        response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &label));
+        if response.hovered() {
+            state.hovered = Some(self.target);
+        }
+        if is_selected || response.hovered() || state.hovered == Some(self.target) {
+            let fill = if is_selected { palette.accent_surface } else { palette.hovered };
+            ui.painter().rect_filled(rect, f32::from(theme::RADIUS), fill);
+        }
+        let y = rect.center().y;
+        let painter = ui.painter().with_clip_rect(rect);
+        let dot = theme::role(self.role, palette.theme);
+        painter.circle_filled(Pos2::new(rect.left() + 8.0, y), 4.0, dot);
+        let right = Pos2::new(rect.right() - 6.0, y);
+        let align = Align2::RIGHT_CENTER;
+        painter.text(right, align, &self.beside, theme::caption(), palette.faint);
+        let left = Pos2::new(rect.left() + 20.0, y);
+        painter.text(left, Align2::LEFT_CENTER, &self.title, theme::body(), palette.text);
+        if response.clicked() {
+            let selection = state.session.selection_mut();
+            if ui.input(|input| input.modifiers.shift) {
+                selection.toggle(self.item.clone());
+            } else {
+                selection.select(self.item.clone());
+            }
+        }
+    }
 }
 
 /// What a mark is in the view.
@@ -32,6 +121,7 @@ fn target_of(mark: &Mark) -> Option<PickTarget> {
         ConstraintKind::Body { .. } => Some(PickTarget::Checkpoint { character, constraint }),
         ConstraintKind::Joint { .. } => Some(PickTarget::JointTarget { character, constraint }),
         ConstraintKind::Pose { .. } => Some(PickTarget::Pose { character, constraint }),
+        ConstraintKind::Path { .. } => Some(PickTarget::Path { character, constraint }),
         _ => None,
     }
 }

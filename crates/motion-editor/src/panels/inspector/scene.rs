@@ -11,6 +11,7 @@ use crate::icons;
 use crate::state::EditorState;
 use crate::take_card::TERMS;
 use crate::theme;
+use crate::ui_command::UiCommand;
 use crate::widgets::icon_button::icon_button_ui;
 
 /// The terms' names in files, in the order of [`TERMS`].
@@ -80,6 +81,13 @@ fn characters_ui(ui: &mut Ui, state: &mut EditorState) {
                 let tooltip = "With everything that is asked of it";
                 if icon_button_ui(ui, icons::REMOVE, remove, tooltip, false).clicked() {
                     state.apply(&Command::RemoveCharacter { character: active });
+                }
+            }
+            if names.len() > 1 {
+                let meet = UiCommand::MeetHere;
+                let label = meet.label();
+                if icon_button_ui(ui, icons::MEETING, &label, meet.tooltip(), false).clicked() {
+                    state.ask(meet);
                 }
             }
             ui.label(names.len().to_string());

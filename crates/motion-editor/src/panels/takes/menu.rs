@@ -39,6 +39,10 @@ pub fn menu_ui(ui: &mut Ui, card: &TakeCard, state: &mut EditorState) {
         state.toggle_compared(id);
     }
     ui.separator();
+    if item(ui, "Export…", UiCommand::Export.tooltip()) {
+        state.show_take(id);
+        state.ask(UiCommand::Export);
+    }
     if item(ui, "Copy recipe", "Copies the clips and frames that it is made of, as text")
         && let Some(text) = state.recipe(id)
     {

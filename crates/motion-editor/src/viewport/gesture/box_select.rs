@@ -53,6 +53,7 @@ pub fn place_m(kind: &ConstraintKind) -> Option<Vec3> {
         ConstraintKind::Joint { position_m, .. } => {
             Some(Vec3::from_array(position_m.map(|x| x as f32)))
         }
+        ConstraintKind::Path { points_m, .. } => Some(on_floor(*points_m.first()?, 0.0)),
         _ => None,
     }
 }

@@ -1,10 +1,11 @@
 //! What is selected goes over the floor with the pointer.
 
 use motion_session::command::Command;
-use motion_session::document::{CharacterIdx, ConstraintRef};
+use motion_session::document::{CharacterIdx, ConstraintRef, ObstacleIdx};
 use motion_session::selection::Selectable;
 
 use super::snap::{GRID_M, snapped};
+use crate::obstacle_form;
 use crate::state::EditorState;
 use crate::state::moving::Moving;
 
@@ -21,40 +22,58 @@ pub struct Carry {
 }
 
 impl Carry {
-    /// Grabs `at` with everything that is selected, or it alone where it is not; with `is_copy` a
+    /// Grabs `item` with everything that is selected, or it alone where it is not; with `is_copy` a
     /// copy of it.
     pub fn begin(
-        at: &ConstraintRef,
+        item: &Selectable,
         grabbed_m: [f64; 2],
         is_copy: bool,
         state: &mut EditorState,
     ) -> Option<Self> {
-        let anchor_m = state.place_of(at)?;
+        let anchor_m = state.place_of_item(item)?;
         if is_copy {
-            return Self::copy(at, anchor_m, grabbed_m, state);
+            return Self::copy(item, anchor_m, grabbed_m, state);
         }
-        if !state.is_selected(at) {
-            state.session.selection_mut().select(Selectable::Constraint(at.clone()));
+        if !state.session.selection().contains(item) {
+            state.session.selection_mut().select(item.clone());
         }
         let document = state.session.document();
-        let moving = Moving::of(document, state.session.selection().constraints(document));
-        state.begin_gesture(if moving.len() > 1 { "Move constraints" } else { "Move" });
+        let moving = Moving::of_items(document, state.session.selection().items(document));
+        state.begin_gesture(match (moving.len(), item) {
+            (2.., _) => "Move together",
+            (_, Selectable::Obstacle(_)) => "Move obstacle",
+            _ => "Move",
+        });
         Some(Self { moving, anchor_m, grabbed_m, copy: None })
     }
 
     fn copy(
-        at: &ConstraintRef,
+        item: &Selectable,
         anchor_m: [f64; 2],
         grabbed_m: [f64; 2],
         state: &mut EditorState,
     ) -> Option<Self> {
         let document = state.session.document();
-        let kind = document.constraint(at)?.kind.name();
-        let id = document.next_id(at.character, kind);
-        let frame = state.free_frame(at.character, state.frame_number() as u32);
-        let copy = Command::Duplicate { at: at.clone(), frame };
-        // The copy is where the original is, under a name of its own.
-        let moving = Moving::of(document, [at]).renamed(&ConstraintRef::new(at.character, id));
+        let (copy, moving) = match item {
+            Selectable::Constraint(at) => {
+                let kind = document.constraint(at)?.kind.name();
+                let id = document.next_id(at.character, kind);
+                let frame = state.free_frame(at.character, state.frame_number() as u32);
+                // The copy is where the original is, under a name of its own.
+                let new = ConstraintRef::new(at.character, id);
+                let moving = Moving::of(document, [at]).renamed(&new);
+                (Command::Duplicate { at: at.clone(), frame }, moving)
+            }
+            Selectable::Obstacle(obstacle) => {
+                let shape = document.obstacle(*obstacle)?.shape.clone();
+                let new = ObstacleIdx(document.obstacles().len());
+                let moving = Moving::of_obstacle(new, shape.clone());
+                (Command::AddObstacle { shape }, moving)
+            }
+            Selectable::Character(_) | Selectable::Interaction(_) | Selectable::Take(..) => {
+                return None;
+            }
+        };
         state.begin_gesture("Duplicate");
         Some(Self { moving, anchor_m, grabbed_m, copy: Some(copy) })
     }
@@ -78,13 +97,26 @@ impl Carry {
         commands
     }
 
-    /// Whether something new is made.
-    pub fn is_copy(&self) -> bool {
-        self.copy.is_some()
+    /// What makes a copy, where one is made.
+    pub fn copy_of(&self) -> Option<&Command> {
+        self.copy.as_ref()
     }
 }
 
 impl EditorState {
+    /// Where on the floor something is, if it is anywhere.
+    pub fn place_of_item(&self, item: &Selectable) -> Option<[f64; 2]> {
+        match item {
+            Selectable::Constraint(at) => self.place_of(at),
+            Selectable::Obstacle(obstacle) => {
+                let known = self.session.document().obstacle(*obstacle)?;
+                let [x, _, z] = obstacle_form::center_m(&known.shape);
+                Some([x, z])
+            }
+            Selectable::Character(_) | Selectable::Interaction(_) | Selectable::Take(..) => None,
+        }
+    }
+
     /// `frame`, or the first after it at which no checkpoint of the character is.
     pub fn free_frame(&self, character: CharacterIdx, frame: u32) -> u32 {
         let marks =

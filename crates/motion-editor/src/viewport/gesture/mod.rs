@@ -3,41 +3,55 @@
 pub mod box_select;
 pub mod by_hand;
 pub mod carry;
+mod cursor;
+mod doing;
+pub mod handle;
+pub mod handle_pull;
 pub mod joint;
+pub mod meeting;
 pub mod modal;
+mod mouse;
+pub mod obstacle;
+mod plate;
 pub mod pose;
 pub mod retime;
 pub mod sight;
 pub mod snap;
+pub mod stroke;
 pub mod wheel;
 
-use egui::{Align2, CursorIcon, Event, Key, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{Align2, Event, Key, PointerButton, Pos2, Rect, Response, Ui};
 use glam::Mat4;
-use motion_session::command::Command;
-use motion_session::document::ConstraintRef;
 use motion_session::selection::Selectable;
 use motion_session::stage::pick::PickTarget;
 
 use crate::settings::{Navigation, Tool};
 use crate::state::EditorState;
-use crate::state::moving::rounded;
-use crate::theme;
-use by_hand::HandPull;
-use carry::Carry;
-use joint::{AimedJoint, Pull};
+use cursor::cursor_ui;
+use doing::{Doing, Grab, Made};
+use handle::Handle;
+use handle_pull::HandlePull;
+use joint::AimedJoint;
 use modal::{Kind, Modal, Next};
+use mouse::Mouse;
+use obstacle::NewObstacle;
+pub use plate::plate_ui;
 use pose::{PoseAim, PoseDrag};
 use retime::Retime;
 use sight::Sight;
-use snap::{GRID_M, heading_deg, snapped};
+use stroke::Stroke;
 
 /// A drag begins when the pointer has gone so far, points: a click moves nothing.
 const DRAG_PT: f32 = 6.0;
+/// Where time goes with the pointer, a frame takes so many points.
+const PT_PER_FRAME: f32 = 4.0;
 
 /// What mouse and keys are doing to the project.
 #[derive(Debug, Default)]
 pub struct Gesture {
     doing: Doing,
+    /// The handle under the pointer.
+    handle: Option<Handle>,
     /// The joint under the pointer, while the tool is out.
     joint: Option<AimedJoint>,
     /// The pose in the hand, while the tool is out and the pointer over the view.
@@ -48,43 +62,6 @@ pub struct Gesture {
     box_is_due: bool,
     /// Keys for what is under way.
     keys: Vec<Key>,
-}
-
-#[derive(Clone, Debug, Default)]
-#[expect(clippy::large_enum_variant, reason = "there is one of it")]
-enum Doing {
-    #[default]
-    Nothing,
-    /// The button went down on something, and nothing has moved.
-    Pressed(Pos2, Grab),
-    /// Marks go with the pointer.
-    Carry(Carry),
-    /// An arrow is turned towards the pointer.
-    Turn(ConstraintRef),
-    /// A new checkpoint stands where the button went down, for this frame.
-    Add([f64; 2], u32),
-    /// A joint target is pulled.
-    Pull(Pull),
-    /// Something of the shown take is changed by hand.
-    ByHand(Box<HandPull>),
-    /// A pose stands where the button went down.
-    Pose(Pos2),
-    /// A box is drawn.
-    Box(Pos2),
-    /// What is selected follows the pointer.
-    Modal(Modal),
-    /// It is over, but the button is still down.
-    Spent,
-}
-
-/// What a press was on.
-#[derive(Clone, Debug)]
-enum Grab {
-    Mark(ConstraintRef, bool),
-    Tip(ConstraintRef),
-    Target(ConstraintRef),
-    Joint(AimedJoint),
-    ByHand(AimedJoint),
 }
 
 /// What of the mouse is not the camera's.
@@ -116,7 +93,7 @@ impl Gesture {
     /// Takes the keys that mean what is under way, before they mean anything else.
     pub fn take_keys(&mut self, ctx: &egui::Context, state: &mut EditorState) {
         let is_modal = matches!(self.doing, Doing::Modal(_));
-        let is_pulling = matches!(self.doing, Doing::Pull(_) | Doing::ByHand(_));
+        let is_pulling = matches!(self.doing, Doing::Pull(_) | Doing::ByHand(_) | Doing::Handle(_));
         let is_posing = self.is_posing && state.settings.tool == Tool::Pose;
         if !is_modal && !is_pulling && !is_posing && !self.box_is_due {
             return;
@@ -173,6 +150,11 @@ impl Gesture {
         let mut claim = Claim { wheel: self.is_posing, button: false, click: false };
         let is_retiming = is_over && !self.is_posing;
         claim.wheel |= retime::retime_ui(ui, &mut self.retime, is_retiming, state);
+        let notches = if matches!(doing, Doing::Stroke(_)) { wheel::notches(ui).1 } else { 0.0 };
+        if notches != 0.0 {
+            claim.wheel = true;
+            Stroke::wheel(notches, state);
+        }
         let doing = match doing {
             Doing::Nothing if mouse.is_pressed => self.press(sight, &mouse, state),
             doing => doing,
@@ -182,15 +164,27 @@ impl Gesture {
             || (was_tool && response.dragged_by(PointerButton::Primary));
         claim.click = !matches!(doing, Doing::Nothing | Doing::Pressed(..));
         self.doing = self.follow(doing, sight, &mouse, state);
-        cursor_ui(ui, is_over, self.box_is_due, state);
+        let has_handle = self.handle.is_some() || matches!(self.doing, Doing::Handle(_));
+        cursor_ui(ui, is_over, self.box_is_due, has_handle, state);
         claim
     }
 
     /// Has the tools that show what they would do say it.
     fn aim_ui(&mut self, ui: &Ui, sight: &Sight, mouse: &Mouse, state: &mut EditorState) {
         let is_free = matches!(self.doing, Doing::Nothing);
+        let can_be_held = matches!(state.settings.tool, Tool::Select | Tool::Path | Tool::Obstacle)
+            || (state.settings.tool == Tool::JointTarget && is_target_selected(state));
+        self.handle = match mouse.is_over && is_free && can_be_held && !self.box_is_due {
+            true => handle::nearest(&handle::handles(state, sight), mouse.at).cloned(),
+            false => None,
+        };
         self.joint = match state.settings.tool {
-            Tool::JointTarget if mouse.is_over && is_free && !is_target(state.hovered) => {
+            Tool::JointTarget
+                if mouse.is_over
+                    && is_free
+                    && self.handle.is_none()
+                    && !is_target(state.hovered) =>
+            {
                 joint::aim(state, sight, mouse.at)
             }
             Tool::ByHand if mouse.is_over && is_free => joint::aim(state, sight, mouse.at),
@@ -219,30 +213,31 @@ impl Gesture {
         if std::mem::take(&mut self.box_is_due) {
             return Doing::Box(mouse.at);
         }
+        if mouse.is_shuttling {
+            return Doing::Shuttle(state.frame(), mouse.at);
+        }
+        if let Some(handle) = &self.handle {
+            if !mouse.has_ctrl {
+                return Doing::Pressed(mouse.at, Grab::Handle(handle.clone()));
+            }
+            let without = HandlePull::without(&handle.of, state);
+            if let Some(command) = without {
+                state.apply(&command);
+            }
+            return Doing::Spent;
+        }
         if let (Tool::ByHand, Some(joint)) = (state.settings.tool, &self.joint) {
             return Doing::Pressed(mouse.at, Grab::ByHand(joint.clone()));
         }
         // Alt is the camera's in the one scheme; Ctrl does the same there.
         let is_copy = if is_industry { mouse.has_ctrl } else { mouse.has_alt };
         let tool = state.settings.tool;
-        let constraint = state.hovered.and_then(|target| match state.selectable_of(target)? {
-            Selectable::Constraint(at) => Some((target, at)),
-            _ => None,
-        });
-        if let Some((target, at)) = constraint {
-            match target {
-                PickTarget::CheckpointTip { .. } if !is_copy => {
-                    return Doing::Pressed(mouse.at, Grab::Tip(at));
-                }
-                PickTarget::JointTarget { .. } if !is_copy => {
-                    return Doing::Pressed(mouse.at, Grab::Target(at));
-                }
-                PickTarget::Pose { .. } if tool == Tool::Pose => {}
-                PickTarget::Actor { .. }
-                | PickTarget::Ghost { .. }
-                | PickTarget::Obstacle { .. } => {}
-                _ => return Doing::Pressed(mouse.at, Grab::Mark(at, is_copy)),
-            }
+        let pointed = state.hovered.and_then(|target| Some((target, state.selectable_of(target)?)));
+        // Who draws a path begins it where the body stands, whatever else is there.
+        if let Some((target, item)) = pointed.filter(|_| tool != Tool::Path)
+            && let Some(grab) = grab_of(target, item, is_copy, state)
+        {
+            return Doing::Pressed(mouse.at, grab);
         }
         let floor_m = sight.floor(mouse.at);
         match (tool, floor_m) {
@@ -250,6 +245,8 @@ impl Gesture {
                 state.begin_gesture("Add checkpoint");
                 Doing::Add(floor_m, state.frame_number() as u32)
             }
+            (Tool::Path, Some(floor_m)) => Doing::Stroke(Stroke::begin(floor_m, state)),
+            (Tool::Obstacle, Some(floor_m)) => Doing::Obstacle(NewObstacle::begin(floor_m, state)),
             (Tool::Pose, Some(_)) => Doing::Pose(mouse.at),
             (Tool::JointTarget, _) => match self.joint.clone() {
                 Some(joint) => Doing::Pressed(mouse.at, Grab::Joint(joint)),
@@ -267,26 +264,31 @@ impl Gesture {
         mouse: &Mouse,
         state: &mut EditorState,
     ) -> Doing {
-        let (doing, began) = match doing {
+        let (mut doing, began) = match doing {
             Doing::Pressed(from, grab) if mouse.is_down && from.distance(mouse.at) > DRAG_PT => {
                 (grab.begin(from, sight, state), true)
             }
             doing => (doing, false),
         };
-        let is_edit = matches!(
-            doing,
-            Doing::Carry(_) | Doing::Turn(_) | Doing::Add(..) | Doing::Pull(_) | Doing::ByHand(_)
-        );
+        let is_edit = doing.is_edit();
         if is_edit && !state.is_in_gesture() {
             // Escape has ended it.
             return if mouse.is_down { Doing::Spent } else { Doing::Nothing };
         }
         if mouse.is_down {
-            if is_edit && (mouse.has_moved || mouse.is_pressed || began) {
+            if let (Doing::Stroke(stroke), Some(floor_m)) = (&mut doing, sight.floor(mouse.at)) {
+                stroke.go_to(floor_m);
+            }
+            if is_edit && (mouse.has_moved || mouse.is_pressed || mouse.is_wheeling || began) {
                 let commands = doing.commands(sight, mouse, state);
                 if !commands.is_empty() {
                     state.preview(&commands);
                 }
+            }
+            if let Doing::Shuttle(frame, from) = doing {
+                let by = f64::from((mouse.at.x - from.x) / PT_PER_FRAME);
+                let to = (frame + by).round().clamp(0.0, state.last_frame() as f64);
+                state.stop_at(to as usize);
             }
             if let Doing::Pose(from) = doing
                 && from.distance(mouse.at) > DRAG_PT
@@ -303,10 +305,13 @@ impl Gesture {
             }
             Doing::Pose(_) => self.pose.put_down(state),
             _ if is_edit => {
-                let is_new = doing.is_new();
+                let (makes, n_before) = (doing.makes(), state.session.history().n_steps().0);
                 state.commit();
-                if is_new {
-                    state.select_newest();
+                let has_changed = state.session.history().n_steps().0 > n_before;
+                match makes {
+                    Made::Constraint if has_changed => state.select_newest(),
+                    Made::Obstacle if has_changed => state.select_newest_obstacle(),
+                    _ => {}
                 }
             }
             _ => {}
@@ -366,16 +371,31 @@ impl Gesture {
         if let Some(joint) = &self.joint {
             joint::aimed_ui(ui, joint);
         }
+        let held = match &self.doing {
+            Doing::Handle(pull) => Some(pull.of()),
+            _ => self.handle.as_ref().map(|handle| &handle.of),
+        };
+        handle::handles_ui(ui, &handle::handles(state, sight), held);
         let words = match &self.doing {
             Doing::Modal(modal) => Some(modal.words(sight, pointer, is_snapping)),
             Doing::Box(from) => {
                 box_select::box_ui(ui, *from, pointer);
                 None
             }
+            Doing::Handle(pull) => pull.words(state),
+            Doing::Meeting(pull) => pull.words(state),
+            Doing::Stroke(stroke) => Some(stroke.words(state)),
+            Doing::Obstacle(new) => Some(new.words(sight.floor(pointer), is_snapping)),
             _ if self.box_is_due => Some("Drag a box   Esc: as it was".to_owned()),
             _ if self.is_posing => self.pose.words(state).map(|words| {
                 format!("{words}   Click: put it there   R, wheel: turn   [ ]: frame of the clip")
             }),
+            Doing::Nothing if self.handle.is_some() => {
+                self.handle.as_ref().map(|handle| handle::words(&handle.of).to_owned())
+            }
+            Doing::Nothing if state.settings.tool == Tool::Obstacle => {
+                Some(obstacle::tool_words(state))
+            }
             _ => None,
         };
         if let Some(words) = words {
@@ -385,137 +405,42 @@ impl Gesture {
     }
 }
 
-impl Grab {
-    /// What a drag of it is.
-    fn begin(self, from: Pos2, sight: &Sight, state: &mut EditorState) -> Doing {
-        let begun = match self {
-            Self::Mark(at, is_copy) => sight
-                .floor(from)
-                .and_then(|floor_m| Carry::begin(&at, floor_m, is_copy, state))
-                .map(Doing::Carry),
-            Self::Tip(at) => {
-                if !state.is_selected(&at) {
-                    let selection = state.session.selection_mut();
-                    selection.select(Selectable::Constraint(at.clone()));
-                }
-                state.begin_gesture("Turn checkpoint");
-                Some(Doing::Turn(at))
-            }
-            Self::Target(at) => Pull::known(&at, from, state).map(Doing::Pull),
-            Self::Joint(joint) => Some(Doing::Pull(Pull::new(joint, from, state))),
-            Self::ByHand(joint) => {
-                HandPull::begin(&joint, from, state).map(|pull| Doing::ByHand(Box::new(pull)))
-            }
-        };
-        begun.unwrap_or(Doing::Spent)
-    }
-}
-
-impl Doing {
-    /// What it does with the pointer where it is.
-    fn commands(&self, sight: &Sight, mouse: &Mouse, state: &EditorState) -> Vec<Command> {
-        let is_snapping = mouse.is_snapping;
-        let floor_m = sight.floor(mouse.at);
-        match self {
-            Self::Carry(carry) => floor_m
-                .map(|floor_m| carry.commands(floor_m, is_snapping, state))
-                .unwrap_or_default(),
-            Self::Turn(at) => {
-                let heading = state
-                    .place_of(at)
-                    .zip(floor_m)
-                    .and_then(|(from, to)| heading_deg(from, to, is_snapping));
-                let turn = |deg| Command::Turn { at: at.clone(), heading_deg: Some(deg) };
-                heading.map(turn).into_iter().collect()
-            }
-            Self::Add(from, frame) => {
-                let position_m = from.map(|axis| rounded(snapped(axis, GRID_M, is_snapping)));
-                let heading = floor_m.and_then(|to| heading_deg(position_m, to, is_snapping));
-                state.checkpoint_commands(*frame, position_m, heading)
-            }
-            Self::ByHand(pull) => pull.commands(sight, mouse.at, mouse.is_lifting),
-            Self::Pull(pull) => {
-                pull.commands(sight, mouse.at, mouse.is_lifting, is_snapping, state)
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// Whether it makes something that is to be selected.
-    fn is_new(&self) -> bool {
-        match self {
-            Self::Add(..) => true,
-            Self::Carry(carry) => carry.is_copy(),
-            Self::Pull(pull) => pull.is_new(),
-            _ => false,
-        }
-    }
-}
-
-/// The mouse and the keys held with it, in this frame.
-#[derive(Clone, Copy, Debug)]
-struct Mouse {
-    at: Pos2,
-    is_over: bool,
-    is_pressed: bool,
-    is_right_pressed: bool,
-    is_down: bool,
-    has_moved: bool,
-    is_snapping: bool,
-    has_alt: bool,
-    has_ctrl: bool,
-    is_lifting: bool,
-}
-
-impl Mouse {
-    fn of(ui: &Ui, at: Pos2, is_over: bool) -> Self {
-        ui.input(|input| Self {
-            at,
-            is_over,
-            is_pressed: is_over && input.pointer.button_pressed(PointerButton::Primary),
-            is_right_pressed: input.pointer.button_pressed(PointerButton::Secondary),
-            is_down: input.pointer.primary_down(),
-            has_moved: input.pointer.delta() != egui::Vec2::ZERO,
-            is_snapping: input.modifiers.shift,
-            has_alt: input.modifiers.alt,
-            has_ctrl: input.modifiers.ctrl,
-            is_lifting: input.key_down(Key::Z) || input.key_down(Key::Y),
-        })
-    }
-}
-
 fn is_target(target: Option<PickTarget>) -> bool {
     matches!(target, Some(PickTarget::JointTarget { .. }))
 }
 
-/// Words on a plate over the picture.
-pub fn plate_ui(ui: &Ui, at: Pos2, align: Align2, words: &str) {
-    let palette = theme::of(ui);
-    let galley =
-        ui.fonts_mut(|fonts| fonts.layout_no_wrap(words.to_owned(), theme::body(), palette.text));
-    let rect = align.anchor_size(at, galley.size());
-    let plate = rect.expand2(egui::Vec2::new(8.0, 4.0));
-    ui.painter().rect_filled(plate, f32::from(theme::RADIUS), palette.panel.gamma_multiply(0.9));
-    ui.painter().galley(rect.min, galley, palette.text);
+/// Whether a joint target is selected, whose velocity can be pulled.
+fn is_target_selected(state: &EditorState) -> bool {
+    let kind = |at| Some(state.session.document().constraint(at)?.kind.name());
+    matches!(state.selected(), Some(Selectable::Constraint(at)) if kind(at) == Some("joint"))
 }
 
-fn cursor_ui(ui: &Ui, is_over: bool, box_is_due: bool, state: &EditorState) {
-    if !is_over {
-        return;
-    }
-    let icon = match (state.settings.tool, state.hovered) {
-        _ if box_is_due => CursorIcon::Crosshair,
-        (Tool::Select | Tool::Checkpoint, Some(PickTarget::CheckpointTip { .. })) => {
-            CursorIcon::Grab
+/// What a press on something takes hold of; nothing where the camera has it.
+fn grab_of(
+    target: PickTarget,
+    item: Selectable,
+    is_copy: bool,
+    state: &EditorState,
+) -> Option<Grab> {
+    let tool = state.settings.tool;
+    match (target, item) {
+        (PickTarget::CheckpointTip { .. }, Selectable::Constraint(at)) if !is_copy => {
+            Some(Grab::Tip(at))
         }
-        (
-            Tool::Select | Tool::Checkpoint,
-            Some(PickTarget::Checkpoint { .. } | PickTarget::Pose { .. }),
-        )
-        | (_, Some(PickTarget::JointTarget { .. })) => CursorIcon::Move,
-        (Tool::ByHand, _) => CursorIcon::Grab,
-        (Tool::Checkpoint | Tool::JointTarget | Tool::Pose, _) => CursorIcon::Crosshair,
-        _ => return,
-    };
-    ui.ctx().set_cursor_icon(icon);
+        (PickTarget::JointTarget { .. }, Selectable::Constraint(at)) if !is_copy => {
+            Some(Grab::Target(at))
+        }
+        (PickTarget::Pose { .. }, _) if tool == Tool::Pose => None,
+        (PickTarget::Actor { .. } | PickTarget::Ghost { .. }, _) => None,
+        // A wall fills the view: it goes along only where somebody has chosen it before.
+        (PickTarget::Obstacle { .. }, item) => {
+            let is_meant = tool == Tool::Obstacle || state.session.selection().contains(&item);
+            is_meant.then_some(Grab::Item(item, is_copy))
+        }
+        (PickTarget::Meeting { member, .. }, Selectable::Interaction(id)) => {
+            Some(Grab::Meeting(id, member))
+        }
+        (_, item @ Selectable::Constraint(_)) => Some(Grab::Item(item, is_copy)),
+        _ => None,
+    }
 }

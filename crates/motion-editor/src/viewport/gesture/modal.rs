@@ -45,7 +45,7 @@ impl Modal {
     /// Takes up what is selected; nothing where nothing can be moved.
     pub fn begin(kind: Kind, pointer: Pos2, state: &mut EditorState) -> Option<Self> {
         let document = state.session.document();
-        let moving = Moving::of(document, state.session.selection().constraints(document));
+        let moving = Moving::of_items(document, state.session.selection().items(document));
         let middle_m = Vec3::from_array(moving.middle_m()?.map(|x| x as f32));
         state.begin_gesture(match kind {
             Kind::Move => "Move",

@@ -28,9 +28,14 @@ impl Sight {
     /// The place on the floor under a place of the window, `[x, z]` in metres; nothing near the
     /// horizon, where a pixel is a street.
     pub fn floor(&self, at: Pos2) -> Option<[f64; 2]> {
+        self.level(at, 0.0)
+    }
+
+    /// The same at another height, metres.
+    pub fn level(&self, at: Pos2, height_m: f32) -> Option<[f64; 2]> {
         const FARTHEST_M: f32 = 200.0;
-        let hit = self.ray(at).at_height(0.0)?;
-        let is_near = hit.distance(self.camera.target_m * Vec3::new(1.0, 0.0, 1.0)) < FARTHEST_M;
+        let hit = self.ray(at).at_height(height_m)?;
+        let is_near = hit.distance(self.camera.target_m.with_y(height_m)) < FARTHEST_M;
         is_near.then(|| [f64::from(hit.x), f64::from(hit.z)])
     }
 

@@ -6,7 +6,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::clip::ClipSet;
-use crate::constraint::clearance::CLEARANCE_TOLERANCE_M;
+use crate::constraint::clearance::{CLEARANCE_LIMIT_M, CLEARANCE_TOLERANCE_M};
 use crate::constraint::obstacle::{OBSTACLE_STRIDE, OBSTACLE_TOLERANCE_M, Solid};
 use crate::constraint::style::TOLERANCE_SHARE;
 use crate::constraint::{
@@ -177,7 +177,7 @@ impl Judgement {
             && self.styles.iter().all(|&without| without <= TOLERANCE_SHARE + 1e-6)
             && follows.into_iter().all(|(wish, &error)| wish.is_within_tolerance(error))
             && self.deepest_m <= OBSTACLE_TOLERANCE_M
-            && self.too_near_m <= CLEARANCE_TOLERANCE_M
+            && self.too_near_m <= CLEARANCE_LIMIT_M
     }
 }
 

@@ -9,6 +9,9 @@ pub const CLEARANCE_M: f32 = 0.60;
 /// through each other's middle costs about 50 then, at half a metre from it next to nothing.
 pub const CLEARANCE_TOLERANCE_M: f32 = 0.04;
 
+/// Too near by no more than this is well: arms may brush, bodies not.
+pub const CLEARANCE_LIMIT_M: f32 = 0.20;
+
 /// Where another character is, frame by frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OtherBody {

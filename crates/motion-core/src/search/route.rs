@@ -3,7 +3,7 @@
 use super::library::SearchLibrary;
 use super::stretch::{self, Stretch};
 use super::target::Target;
-use crate::constraint::clearance::CLEARANCE_TOLERANCE_M;
+use crate::constraint::clearance::CLEARANCE_LIMIT_M;
 use crate::constraint::environment::Sums;
 use crate::constraint::obstacle::OBSTACLE_TOLERANCE_M;
 use crate::ids::ClipId;
@@ -159,7 +159,7 @@ impl Route {
                 let near_m =
                     stretch::too_near_m(target, torso.ground_m(), span.frame_of(clip_frame));
                 stretch::depth_m(library, target, torso, at) <= OBSTACLE_TOLERANCE_M
-                    && near_m <= CLEARANCE_TOLERANCE_M
+                    && near_m <= CLEARANCE_LIMIT_M
             })
         })
     }

@@ -1,6 +1,6 @@
 //! Which wishes a motion misses by more than a tolerance.
 
-use motion_core::constraint::clearance::CLEARANCE_TOLERANCE_M;
+use motion_core::constraint::clearance::CLEARANCE_LIMIT_M;
 use motion_core::constraint::obstacle::OBSTACLE_TOLERANCE_M;
 use motion_core::constraint::style::TOLERANCE_SHARE;
 use motion_core::constraint::{LengthMode, LengthWish};
@@ -61,7 +61,7 @@ pub(crate) fn missed(wishes: &Wishes, judgement: &Judgement) -> Vec<Missed> {
     if judgement.deepest_m > OBSTACLE_TOLERANCE_M {
         missed.push(Missed::Obstacles);
     }
-    if judgement.too_near_m > CLEARANCE_TOLERANCE_M {
+    if judgement.too_near_m > CLEARANCE_LIMIT_M {
         missed.push(Missed::Others);
     }
     let length = wishes.length.filter(|length| length.mode != LengthMode::Free);

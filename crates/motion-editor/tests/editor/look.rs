@@ -33,8 +33,10 @@ fn the_sample_plays_by_itself_and_space_pauses() {
     assert!(harness.state().state.cards.len() >= 2, "distinct takes");
     harness.key_press(Key::Space);
     harness.run_steps(2);
+    crate::window::until(&mut harness, |harness| !harness.state().state.is_playing());
     let state = &harness.state().state;
-    assert!(!state.is_playing());
+    let playback = state.session.playback();
+    assert!(!state.is_playing(), "{playback:?}, {:?}", harness.ctx.memory(|m| m.focused()));
     assert_eq!(state.frame().fract(), 0.0);
 }
 

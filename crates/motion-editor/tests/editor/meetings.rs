@@ -68,7 +68,9 @@ fn two_meet_face_to_face_and_part_by_undo() {
 fn a_meeting_is_retimed_typed_and_deleted() {
     let Some(mut harness) = two() else { return };
     meet(&mut harness);
-    let mark = harness.get_by_label_contains("meets Character 2, frame").rect().center();
+    let label = "meets Character 2, frame";
+    crate::window::until(&mut harness, |h| h.query_by_label_contains(label).is_some());
+    let mark = harness.get_by_label_contains(label).rect().center();
     drag(&mut harness, mark, Vec2::new(70.0, 0.0));
     let later = meetings(&harness)[0].frame;
     assert!(later > 65, "{later}");

@@ -49,10 +49,12 @@ fn trees() -> impl Strategy<Value = BodyPlan> {
     })
 }
 
-fn check(plan: &BodyPlan) {
+/// Bodies keep to the levels' triangles; trees of limbs that lie anywhere need more to be closed.
+fn check(plan: &BodyPlan, slack: f64) {
     let model = mannequin(plan);
     for (level, most) in model.levels().iter().zip(LEVEL_TRIANGLES) {
-        assert!(level.triangles().len() <= most, "{} triangles", level.triangles().len());
+        let n = level.triangles().len();
+        assert!(n as f64 <= slack * most as f64, "{n} triangles, not {most}");
         check_closed(level);
     }
 }
@@ -63,11 +65,11 @@ proptest! {
 
     #[test]
     fn every_human_plan_has_a_closed_skin(plan in humans()) {
-        check(&plan);
+        check(&plan, 1.0);
     }
 
     #[test]
     fn every_tree_has_a_closed_skin(plan in trees()) {
-        check(&plan);
+        check(&plan, 1.5);
     }
 }

@@ -78,7 +78,7 @@ fn a_meeting_is_retimed_typed_and_deleted() {
     assert_eq!(beside_first(&meetings(&harness)[0], 1), ([1.0, 0.0], 90.0));
     click(&mut harness, Role::ComboBox, "Clip of Character 2");
     harness.event(Event::Text("walk_slow".to_owned()));
-    harness.run_steps(3);
+    harness.run_steps(12);
     harness.key_press(Key::Enter);
     harness.run_steps(4);
     assert_eq!(meetings(&harness)[0].members[1].clip, "walk_slow");

@@ -2,6 +2,7 @@
 
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 use super::bodies::{cmu, mixamo};
 use super::check_closed;
@@ -60,8 +61,13 @@ fn check(plan: &BodyPlan, slack: f64) {
 }
 
 proptest! {
-    // Each takes a good part of a second where nothing is optimised.
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+    // Each takes a good part of a second where nothing is optimised. The same ones every time: what a
+    // landing is held up by shall be of its own making.
+    #![proptest_config(ProptestConfig {
+        cases: 12,
+        rng_seed: RngSeed::Fixed(5),
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn every_human_plan_has_a_closed_skin(plan in humans()) {

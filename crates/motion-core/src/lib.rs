@@ -11,6 +11,7 @@
 
 pub mod assemble;
 pub mod bind_pose;
+mod bodies;
 pub mod by_hand;
 pub mod cancel;
 pub mod cast;

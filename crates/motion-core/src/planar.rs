@@ -124,6 +124,12 @@ impl PlanarTransform {
         self.turn(p) + self.translation_m()
     }
 
+    /// A point on the ground, turned and moved.
+    #[inline]
+    pub fn apply_ground(self, p: Vec2) -> Vec2 {
+        self.turn_ground(p) + self.ground_m()
+    }
+
     /// The logarithm: the constant velocity `(turn, ground, level)` that reaches this transform
     /// from the identity in unit time. The inverse of [`PlanarTwist::exp`].
     ///

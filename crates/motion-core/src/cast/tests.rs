@@ -124,7 +124,8 @@ fn two_whose_ways_cross_keep_out_of_each_other() {
     };
     let libraries = [Arc::clone(&library), Arc::clone(&library)];
     let mut cast = Cast::new(&libraries, cast, 1).expect("a cast");
-    rounds(&mut cast, 96);
+    // One steps aside, then the other: that takes more than a few turns.
+    rounds(&mut cast, 224);
     let found = cast.alternatives(4);
     let best = &found[0];
     let least_m = least_distance_m(&library, best);

@@ -1,11 +1,14 @@
 //! AF02's reconnection by 1 hop: through a stretch of another clip. And the same for the clip
 //! that is there already, with both cuts chosen anew.
 
+use std::cell::RefCell;
+
 use super::evaluate::{Evaluator, Head};
 use super::landing::{Landings, Scan};
 use super::library::{Cut, PairView, walk_shifts};
 use super::mutation::Mutation;
 use super::stretch::Stretch;
+use super::unrolled::Unrolled;
 use crate::graph::EdgeId;
 use crate::ids::ClipId;
 use crate::planar::PlanarTransform;
@@ -21,6 +24,18 @@ struct Way<'a> {
     world_from_clip: PlanarTransform,
     /// What was shown before, the cost of `out` counted.
     head: Head,
+    /// What the clip costs from the entry on.
+    through: RefCell<Unrolled>,
+}
+
+impl<'a> Way<'a> {
+    fn new(keep: usize, out: &'a Cut, middle: (ClipId, &[PlanarTransform]), head: Head) -> Self {
+        let (clip, torsos) = middle;
+        let world_from_clip = head.torso * torsos[out.to as usize].inverse();
+        let (from, to, starts_at) = (out.to, out.to, head.frames);
+        let through = Unrolled::new(Stretch { clip, world_from_clip, from, to, starts_at });
+        Self { keep, out, clip, world_from_clip, head, through: RefCell::new(through) }
+    }
 }
 
 impl Evaluator<'_> {
@@ -65,13 +80,7 @@ impl Evaluator<'_> {
                 }
                 let at_out = self.head(head, &cut);
                 let torsos = library.torsos(middle);
-                let way = Way {
-                    keep,
-                    out: &cut,
-                    clip: middle,
-                    world_from_clip: at_out.torso * torsos[cut.to as usize].inverse(),
-                    head: at_out,
-                };
+                let way = Way::new(keep, &cut, (middle, torsos), at_out);
                 // At least a frame of the other clip is shown, at most the rest of it.
                 let shortest = i64::from(at_out.frames) + 1;
                 let longest = i64::from(at_out.frames) + torsos.len() as i64 - i64::from(cut.to);
@@ -105,16 +114,11 @@ impl Evaluator<'_> {
         let sums = |first: usize, late: i64| {
             self.tables.moments(self.library, self.target, self.route, (first, late))
         };
-        let forest = &self.library.graph().forest;
-        let per_tau = (1.0 / self.library.graph().tau) as f32;
         let mut hits = Vec::new();
         let left_out =
-            landings.scan(self.target, (way.clip, resume), &scan, sums, |id| hits.push(id));
-        for id in hits {
-            let edge = forest.edge(id);
-            let (from, to) = (edge.from_frame.0, edge.to_frame.0);
-            if from > way.out.to {
-                let back = Cut { from, to, cost: edge.cost * per_tau, id };
+            landings.scan(self.target, (way.clip, resume), &scan, sums, |back| hits.push(back));
+        for back in hits {
+            if back.from > way.out.to {
                 self.consider_detour(way, resume, &back);
             }
         }
@@ -133,7 +137,10 @@ impl Evaluator<'_> {
         let head = self.through(&way.head, &stretch, back);
         let mutation = Mutation::Detour { keep: way.keep, resume, out: way.out.id, back: back.id };
         let tail = &self.tables.spans[resume];
-        self.consider_tail(head, tail, back.to, mutation, Some(&stretch));
+        let (library, target) = (self.library, self.target);
+        self.consider_tail(head, tail, back.to, mutation, way.head.frames, |_| {
+            way.through.borrow_mut().cost_to(library, target, back.from)
+        });
     }
 
     /// Both cuts of each inner piece chosen anew among the leaves near them: a detour through
@@ -167,13 +174,7 @@ impl Evaluator<'_> {
                     continue;
                 }
                 let at_out = self.head(head, cut);
-                let way = Way {
-                    keep,
-                    out: cut,
-                    clip: middle.clip,
-                    world_from_clip: at_out.torso * torsos[cut.to as usize].inverse(),
-                    head: at_out,
-                };
+                let way = Way::new(keep, cut, (middle.clip, torsos), at_out);
                 self.come_back(&way, resume, &back, &back_cuts);
             }
         }

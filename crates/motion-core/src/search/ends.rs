@@ -75,7 +75,10 @@ impl Evaluator<'_> {
                     let head = self.through(&nothing, &stretch, &cut);
                     let mutation =
                         Mutation::NewStart { resume, start: FrameIdx(start), cut: cut.id };
-                    self.consider_tail(head, tail, cut.to, mutation, Some(&stretch));
+                    let target = self.target;
+                    self.consider_tail(head, tail, cut.to, mutation, stretch.starts_at, |budget| {
+                        stretch.cost(library, target, budget)
+                    });
                 }
             }
         }
@@ -157,13 +160,10 @@ impl Evaluator<'_> {
                 return;
             }
         }
-        cost += stretch.readings_cost(library, target) + stretch.styles_cost(target);
+        cost += stretch.cost(library, target, limit - cost);
         if self.tables.uses_support {
             let sums = stretch.support(library);
             cost += target.weights.environment * sums.cost_at(0.0, self.tables.frame_secs);
-        }
-        if target.has_surroundings() && cost < limit {
-            cost += stretch.surroundings_cost(library, target, limit - cost);
         }
         self.keep(mutation, cost);
     }

@@ -8,6 +8,7 @@
 //! obstacles and other bodies, is looked at frame by frame, and last. `brute` holds the twin
 //! that lays every path out.
 
+use super::angle::heading_rad;
 use super::best::{Best, Candidate, ScoreCounts};
 use super::library::{Cut, PairView, SearchLibrary};
 use super::mutation::Mutation;
@@ -105,8 +106,8 @@ impl<'a> Evaluator<'a> {
 
     /// Scores `head` followed by the route from frame `entered` of `tail` and keeps it if good.
     ///
-    /// `between` is the stretch of another clip that the head ends with, whose cost apart from its
-    /// cuts is not in the head's.
+    /// The route itself is left at `left_at`; what is shown from there to the head's end costs `between(budget)`,
+    /// or at least the budget where it is that much, beside what is in the head's cost.
     #[inline]
     pub(super) fn consider_tail(
         &mut self,
@@ -114,7 +115,8 @@ impl<'a> Evaluator<'a> {
         tail: &SpanTable,
         entered: u32,
         mutation: Mutation,
-        between: Option<&Stretch>,
+        left_at: u32,
+        between: impl FnOnce(f32) -> f32,
     ) {
         let limit = self.best.limit();
         let n_frames = i64::from(head.frames) + tail.frames_from_zero - i64::from(entered);
@@ -122,7 +124,6 @@ impl<'a> Evaluator<'a> {
             return;
         }
         let (library, target) = (self.library, self.target);
-        let left_at = between.map_or(head.frames, |stretch| stretch.starts_at);
         let late = n_frames - i64::from(self.route.n_frames);
         if !target.keeps_hard(left_at, head.frames, late) {
             return;
@@ -161,7 +162,7 @@ impl<'a> Evaluator<'a> {
                         self.counts.pruned += 1;
                         return;
                     }
-                    cost += match sums.turn_cost(moved.heading_rad()) {
+                    cost += match sums.turn_cost(heading_rad(moved)) {
                         Some(turn) => turn,
                         None => self.tail_cost_slowly(moved, known, late) - sums.place_cost(moved),
                     };
@@ -174,9 +175,7 @@ impl<'a> Evaluator<'a> {
             let clip_frame = entered + (reading.frame - head.frames);
             cost += reading.cost(library, in_tail, tail.span.clip, clip_frame);
         }
-        if let Some(stretch) = between {
-            cost += stretch.readings_cost(library, target) + stretch.styles_cost(target);
-        }
+        cost += between(limit - cost);
         if !target.styles.is_empty() {
             cost += self.tables.tail_styles_cost(target, tail, entered, head.frames);
         }
@@ -196,11 +195,6 @@ impl<'a> Evaluator<'a> {
                 (moved, late),
                 limit - cost,
             );
-            if let Some(stretch) = between
-                && cost < limit
-            {
-                cost += stretch.surroundings_cost(library, target, limit - cost);
-            }
         }
         self.keep(mutation, cost);
     }

@@ -4,7 +4,7 @@
 //! `m_from_old` depends on the way back alone. So it is computed once for all ways out, and a scan needs
 //! one planar product a candidate and the sums of what is read behind it.
 
-use super::library::{PairView, SearchLibrary};
+use super::library::{Cut, PairView, SearchLibrary};
 use super::moments::Moments;
 use super::tables::Tables;
 use super::target::Target;
@@ -105,7 +105,7 @@ impl Landings {
         (middle, resume): (ClipId, usize),
         scan: &Scan,
         sums: impl Fn(usize, i64) -> Option<&'s Moments>,
-        mut hit: impl FnMut(EdgeId),
+        mut hit: impl FnMut(Cut),
     ) -> u64 {
         let range = self.ranges[resume * self.n_clips + middle.idx()];
         let n = u64::from(range.end - range.start);
@@ -162,7 +162,9 @@ impl Landings {
             }
             if bound < scan.limit {
                 n_hits += 1;
-                hit(self.cuts[at]);
+                let (from, cost, id) = (self.left_at[at], self.cost[at], self.cuts[at]);
+                let to = (i64::from(from) - self.shift[at] as i64) as u32;
+                hit(Cut { from, to, cost, id });
             }
         }
         n - n_hits

@@ -6,8 +6,10 @@ use std::sync::Arc;
 use glam::Vec3;
 use rayon::prelude::*;
 
+use super::circles::ClipCircles;
 use super::tracks::Extent;
-use crate::clip::ClipSet;
+use crate::bodies::Bodies;
+use crate::clip::{Clip, ClipSet};
 use crate::constraint::SupportCost;
 use crate::graph::{ClipPair, EdgeId, MotionGraph};
 use crate::ids::ClipId;
@@ -72,10 +74,12 @@ pub struct SearchLibrary {
     out: Vec<Vec<(ClipId, Cut)>>,
     /// Chosen cuts that enter each clip, cheapest first: `(left clip, cut)`.
     into: Vec<Vec<(ClipId, Cut)>>,
-    /// Joint positions in the torso frame, frame-major per clip.
-    joints_in_torso: Vec<Vec<Vec3>>,
+    /// Joint positions in the torso frame, per clip.
+    bodies: Vec<Bodies>,
     /// How far the joints of every frame reach, per clip.
     extents: Vec<Vec<Extent>>,
+    /// Where bodies are, roughly, per clip.
+    circles: Vec<ClipCircles>,
     support: Vec<SupportCost>,
     leaves_the_floor: bool,
 }
@@ -111,11 +115,18 @@ impl SearchLibrary {
         };
         let all = 0..forest.n_nodes() as u32;
         let n_leaves = all.into_par_iter().filter(|&id| forest.is_leaf(EdgeId(id))).count();
-        let joints_in_torso = joints_in_torso(&clips);
         let n_joints = clips.skeleton().n_joints();
-        let extents = joints_in_torso
-            .par_iter()
-            .map(|joints| joints.chunks(n_joints).map(Extent::of).collect())
+        let in_torso = clips.clips().par_iter().map(|clip| joints_in_torso(&clips, clip));
+        let (bodies, extents): (Vec<Bodies>, Vec<Vec<Extent>>) = in_torso
+            .map(|joints| {
+                let extents = joints.chunks(n_joints).map(Extent::of).collect();
+                (Bodies::new(&joints, n_joints), extents)
+            })
+            .unzip();
+        let tracks = clips.clips().par_iter().map(|clip| &clip.track.world_from_torso);
+        let circles = tracks
+            .zip(&extents)
+            .map(|(torsos, extents)| ClipCircles::new(torsos, extents))
             .collect();
         let mut library = Self {
             leaves: Vec::with_capacity(n_leaves),
@@ -126,8 +137,9 @@ impl SearchLibrary {
             coarse_out: vec![None; graph.n_clips()],
             out: vec![Vec::new(); graph.n_clips()],
             into: vec![Vec::new(); graph.n_clips()],
-            joints_in_torso,
+            bodies,
             extents,
+            circles,
             support: clips.clips().iter().map(SupportCost::new).collect(),
             leaves_the_floor: false,
             clips,
@@ -217,17 +229,28 @@ impl SearchLibrary {
         self.leaves_the_floor
     }
 
-    /// Joint positions of a frame in its torso frame, metres.
+    /// Joint positions of a clip.
     #[inline]
-    pub(crate) fn joints(&self, clip: ClipId, frame: u32) -> &[Vec3] {
-        let n = self.clips.skeleton().n_joints();
-        &self.joints_in_torso[clip.idx()][frame as usize * n..(frame as usize + 1) * n]
+    pub(crate) fn bodies(&self, clip: ClipId) -> &Bodies {
+        &self.bodies[clip.idx()]
     }
 
     /// How far the joints of a frame reach.
     #[inline]
     pub(crate) fn extent(&self, clip: ClipId, frame: u32) -> Extent {
         self.extents[clip.idx()][frame as usize]
+    }
+
+    /// How far the joints reach, frame by frame.
+    #[inline]
+    pub(crate) fn extents(&self, clip: ClipId) -> &[Extent] {
+        &self.extents[clip.idx()]
+    }
+
+    /// Where the body of a clip is, roughly.
+    #[inline]
+    pub(crate) fn circles(&self, clip: ClipId) -> &ClipCircles {
+        &self.circles[clip.idx()]
     }
 
     /// Edges of the coarsest graph that leave `clip`, ordered by the frame left.
@@ -324,20 +347,15 @@ pub(crate) fn walk_shifts(
     cuts.len() as u64 - n_visited
 }
 
-fn joints_in_torso(clips: &ClipSet) -> Vec<Vec<Vec3>> {
+/// Joint positions in the torso frame, frame-major, metres.
+fn joints_in_torso(clips: &ClipSet, clip: &Clip) -> Vec<Vec3> {
     let n_joints = clips.skeleton().n_joints();
-    clips
-        .clips()
-        .par_iter()
-        .map(|clip| {
-            let mut positions = clip.motion.joint_positions_m(clips.skeleton());
-            for (frame, torso) in clip.track.world_from_torso.iter().enumerate() {
-                let torso_from_world = torso.inverse();
-                for p in &mut positions[frame * n_joints..(frame + 1) * n_joints] {
-                    *p = torso_from_world.apply(*p);
-                }
-            }
-            positions
-        })
-        .collect()
+    let mut positions = clip.motion.joint_positions_m(clips.skeleton());
+    for (frame, torso) in clip.track.world_from_torso.iter().enumerate() {
+        let torso_from_world = torso.inverse();
+        for p in &mut positions[frame * n_joints..(frame + 1) * n_joints] {
+            *p = torso_from_world.apply(*p);
+        }
+    }
+    positions
 }

@@ -9,8 +9,10 @@
 
 mod af02;
 mod alternatives;
+mod angle;
 mod astar;
 mod best;
+mod circles;
 mod detour;
 mod ends;
 mod evaluate;
@@ -32,10 +34,12 @@ mod rivals;
 mod rng;
 mod route;
 mod seeds;
+mod sketch;
 mod stretch;
 mod tables;
 mod target;
 mod tracks;
+mod unrolled;
 mod vary;
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 
 use glam::{Vec2, Vec3};
 
+use super::angle::heading_rad;
 use super::library::SearchLibrary;
 use crate::constraint::joint::TOLERANCE_M_S;
 use crate::constraint::{BodyConstraint, JointConstraint};
@@ -111,7 +112,7 @@ impl Reading {
         match self.subject {
             Subject::Torso => {
                 let torso = world_from_clip * torsos[clip_frame as usize];
-                let heading_rad = if self.turn > 0.0 { torso.heading_rad() } else { 0.0 };
+                let heading_rad = if self.turn > 0.0 { heading_rad(torso) } else { 0.0 };
                 (torso.translation_m(), heading_rad)
             }
             Subject::Joint(joint) => {
@@ -156,6 +157,6 @@ impl Reading {
 }
 
 fn joint_in_clip_m(library: &SearchLibrary, clip: ClipId, frame: u32, joint: JointIdx) -> Vec3 {
-    let in_torso = library.joints(clip, frame)[joint.idx()];
+    let in_torso = library.bodies(clip).joint_m(frame, joint);
     library.torsos(clip)[frame as usize].apply(in_torso)
 }

@@ -38,7 +38,7 @@ impl Evaluator<'_> {
             if within && Some(cut.id) != present && self.usable(&pair, cut) {
                 let at_cut = self.head(head, cut);
                 let mutation = Mutation::Reconnect { keep, resume, cut: cut.id };
-                self.consider_tail(at_cut, tail, cut.to, mutation, None);
+                self.consider_tail(at_cut, tail, cut.to, mutation, at_cut.frames, |_| 0.0);
             }
             true
         });

@@ -10,6 +10,7 @@ use super::alternatives::Alternatives;
 use super::line::{Line, descend};
 use super::rng::stream;
 use super::route::Route;
+use super::sketch::Sketch;
 use super::target::Target;
 use super::{
     FEW_ALTERNATIVES, MAX_ALTERNATIVES, N_LINES, Problem, ProblemError, Search, SearchLibrary,
@@ -140,13 +141,19 @@ impl Search {
     }
 
     fn go_on_from(&mut self, paths: &[Path]) {
-        let mut routes: Vec<Route> =
-            paths.par_iter().filter_map(|path| usable_route(self, path)).collect();
-        routes.sort_by(|a, b| a.score.total_cmp(&b.score));
+        let laid_out = |path| {
+            let route = usable_route(self, path)?;
+            let sketch = Sketch::of(&self.library, &route);
+            Some((route, sketch))
+        };
+        let mut known: Vec<(Route, Sketch)> = paths.par_iter().filter_map(laid_out).collect();
+        known.sort_by(|(a, _), (b, _)| a.score.total_cmp(&b.score));
         self.alternatives = Alternatives::new(MAX_ALTERNATIVES);
         let round = self.progress.iteration;
-        for route in &routes {
-            self.alternatives.offer(&self.library, route, round, None);
+        let mut routes = Vec::with_capacity(known.len());
+        for (route, sketch) in known {
+            self.alternatives.offer_sketched(&route, sketch, round, None);
+            routes.push(route);
         }
         self.note_best(routes.first().cloned());
         routes.dedup_by(|a, b| a.path == b.path);

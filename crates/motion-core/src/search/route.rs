@@ -134,10 +134,7 @@ impl Route {
         let mut support = Sums::default();
         for span in &self.spans {
             let stretch = span.stretch();
-            score += stretch.readings_cost(library, target) + stretch.styles_cost(target);
-            if target.has_surroundings() {
-                score += stretch.surroundings_cost(library, target, f32::INFINITY);
-            }
+            score += stretch.cost(library, target, f32::INFINITY);
             support = support.plus(&stretch.support(library));
         }
         if target.on_the_floor && library.leaves_the_floor() {

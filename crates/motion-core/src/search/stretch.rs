@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::library::SearchLibrary;
+use super::reading::Reading;
 use super::target::Target;
 use crate::constraint::clearance::CLEARANCE_TOLERANCE_M;
 use crate::constraint::environment::Sums;
@@ -27,19 +28,25 @@ impl Stretch {
         self.starts_at + self.to - self.from
     }
 
+    /// All that it costs but for cuts, length and support; at least `enough` where it is that much.
+    #[inline]
+    pub(crate) fn cost(&self, library: &SearchLibrary, target: &Target, enough: f32) -> f32 {
+        let cost = self.readings_cost(library, target) + self.styles_cost(target);
+        if !target.has_surroundings() || cost >= enough {
+            return cost;
+        }
+        cost + self.surroundings_cost(library, target, enough - cost)
+    }
+
     /// What is read within it.
     #[inline]
     pub(crate) fn readings_cost(&self, library: &SearchLibrary, target: &Target) -> f32 {
-        let first = target.first_reading_from(self.starts_at);
-        let mut cost = 0.0;
-        for reading in &target.readings[first..] {
-            if reading.frame >= self.ends_at() {
-                break;
-            }
+        let readings = target.readings_within(self.starts_at, self.ends_at());
+        let cost = |reading: &Reading| {
             let clip_frame = self.from + reading.frame - self.starts_at;
-            cost += reading.cost(library, self.world_from_clip, self.clip, clip_frame);
-        }
-        cost
+            reading.cost(library, self.world_from_clip, self.clip, clip_frame)
+        };
+        readings.iter().map(cost).sum()
     }
 
     /// Frames without a wished tag.
@@ -56,22 +63,6 @@ impl Stretch {
         sums.raised(self.world_from_clip.level_m)
     }
 
-    /// A lower bound of [`Self::surroundings_cost`]: the first joint alone, at few frames.
-    pub(crate) fn surroundings_at_least(&self, library: &SearchLibrary, target: &Target) -> f32 {
-        let mut cost = 0.0;
-        let step = 6 * OBSTACLE_STRIDE;
-        for frame in (self.starts_at.next_multiple_of(step)..self.ends_at()).step_by(step as usize)
-        {
-            let clip_frame = self.from + frame - self.starts_at;
-            let torso = self.world_from_clip * library.torsos(self.clip)[clip_frame as usize];
-            let Some(&root) = library.joints(self.clip, clip_frame).first() else { break };
-            let at = torso.apply(root);
-            let depth_m = target.solids.iter().map(|s| s.depth_m(at)).fold(0.0, f32::max);
-            cost += seen_cost(library, target, depth_m, 0.0);
-        }
-        cost
-    }
-
     /// Joints in obstacles and bodies in each other; at least `enough` where it is that much.
     pub(crate) fn surroundings_cost(
         &self,
@@ -80,21 +71,44 @@ impl Stretch {
         enough: f32,
     ) -> f32 {
         let mut cost = 0.0;
-        let first = self.starts_at.next_multiple_of(OBSTACLE_STRIDE);
-        for frame in (first..self.ends_at()).step_by(OBSTACLE_STRIDE as usize) {
-            let clip_frame = self.from + frame - self.starts_at;
-            cost += surroundings_at(
-                library,
-                target,
-                self.world_from_clip,
-                (self.clip, clip_frame),
-                frame,
-            );
-            if cost >= enough {
-                break;
-            }
-        }
+        self.look_around(library, target, |_, more| {
+            cost += more;
+            cost < enough
+        });
         cost
+    }
+
+    /// Calls `see(frame, cost)` with frames of the motion that are in something's way, for as long as it wants more:
+    /// only frames that are looked at, each with what it costs for those up to the next.
+    #[inline]
+    pub(crate) fn look_around(
+        &self,
+        library: &SearchLibrary,
+        target: &Target,
+        mut see: impl FnMut(u32, f32) -> bool,
+    ) {
+        // Where the clip's frame 0 is or would be shown.
+        let shown_at = i64::from(self.starts_at) - i64::from(self.from);
+        library.circles(self.clip).near_blocks(
+            (self.from, self.to),
+            |place, first, level| {
+                let there = place.placed(self.world_from_clip);
+                target.may_meet(&there, shown_at + i64::from(first), level)
+            },
+            |from, to| {
+                let starts_at = (shown_at + i64::from(from)) as u32;
+                let ends_at = starts_at + to - from;
+                let looked_at = starts_at.next_multiple_of(OBSTACLE_STRIDE)..ends_at;
+                for frame in looked_at.step_by(OBSTACLE_STRIDE as usize) {
+                    let at = (self.clip, from + frame - starts_at);
+                    let cost = surroundings_at(library, target, self.world_from_clip, at, frame);
+                    if cost > 0.0 && !see(frame, cost) {
+                        return false;
+                    }
+                }
+                true
+            },
+        );
     }
 }
 
@@ -140,8 +154,8 @@ pub(crate) fn depth_m(
         if !solid.is_near(world_from_torso.ground_m(), extent.reach_m, top_m) {
             continue;
         }
-        let joints = library.joints(clip, clip_frame);
-        deepest_m = deepest_m.max(solid.deepest_m(world_from_torso, joints));
+        let joints = library.bodies(clip).columns(clip_frame);
+        deepest_m = deepest_m.max(solid.deepest_m(world_from_torso, &joints));
     }
     deepest_m
 }
@@ -149,6 +163,6 @@ pub(crate) fn depth_m(
 /// How much too near other bodies are at a frame, metres.
 #[inline]
 pub(crate) fn too_near_m(target: &Target, ground_m: Vec2, frame: u32) -> f32 {
-    let near = target.others.iter().map(|other| other.too_near_m(frame, ground_m));
+    let near = target.others.iter().map(|other| other.body.too_near_m(frame, ground_m));
     near.fold(0.0, f32::max)
 }

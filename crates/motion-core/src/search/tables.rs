@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 
+use super::circles::{self, Whereabouts, level_of};
 use super::library::SearchLibrary;
 use super::moments::Moments;
 use super::route::{Route, Span};
@@ -12,7 +13,7 @@ use crate::constraint::obstacle::OBSTACLE_STRIDE;
 use crate::planar::PlanarTransform;
 
 /// Tails that come up to so many frames earlier or later than before have their sums kept.
-const MAX_LATE: i64 = 64;
+const MAX_LATE: i64 = 256;
 
 /// What one piece of a route offers to a splice.
 #[derive(Clone, Debug)]
@@ -43,6 +44,17 @@ pub(crate) struct Tables {
     by_late: Vec<OnceCell<Vec<Moments>>>,
     /// For each style, entry `f`: how many of the route's frames `0..f` lack the tag.
     lacks: Vec<Vec<u32>>,
+    /// Where the body is in each piece and in all from it on; empty where that does not matter.
+    around: Vec<[Around; 2]>,
+}
+
+/// Where the body is during some of the route's frames.
+#[derive(Clone, Copy, Debug)]
+struct Around {
+    place: Whereabouts,
+    starts_at: u32,
+    /// `BLOCK << level` frames are no fewer than these.
+    level: usize,
 }
 
 impl Tables {
@@ -83,7 +95,8 @@ impl Tables {
         });
         let lacks = lacks.collect();
         let by_late = vec![OnceCell::new(); 2 * MAX_LATE as usize + 1];
-        Self { spans, uses_support, frame_secs, by_late, lacks }
+        let around = if target.has_surroundings() { around(library, route) } else { Vec::new() };
+        Self { spans, uses_support, frame_secs, by_late, lacks, around }
     }
 
     /// The sums over the readings from the `first`-th on, and the last checkpoint, for a tail that
@@ -144,29 +157,22 @@ impl Tables {
             starts_at: entered_at,
         };
         let behind = self.spans.partition_point(|t| t.span.starts_at <= tail.span.starts_at);
-        if !target.solids.is_empty() {
-            // Most that collide do so with their middle: that is soon seen.
-            let mut least = own.surroundings_at_least(library, target);
-            for table in &self.spans[behind..] {
-                if least >= enough {
-                    return least;
-                }
-                let old = table.span.stretch();
-                let stretch = Stretch {
-                    world_from_clip: moved * old.world_from_clip,
-                    starts_at: (i64::from(old.starts_at) + late) as u32,
-                    ..old
-                };
-                least += stretch.surroundings_at_least(library, target);
-            }
-            if least >= enough {
-                return least;
-            }
+        let may_meet = |around: &Around| {
+            let place = around.place.placed(moved);
+            target.may_meet(&place, i64::from(around.starts_at) + late, around.level)
+        };
+        // What is shown of the piece that is entered is all known, but where it is entered before the route does.
+        let first = &self.around[behind - 1][0];
+        let mut cost = 0.0;
+        if entered < tail.span.from || may_meet(first) {
+            cost = own.surroundings_cost(library, target, enough);
         }
-        let mut cost = own.surroundings_cost(library, target, enough);
-        for table in &self.spans[behind..] {
-            if cost >= enough {
+        for (table, [piece, rest]) in self.spans.iter().zip(&self.around).skip(behind) {
+            if cost >= enough || !may_meet(rest) {
                 break;
+            }
+            if !may_meet(piece) {
+                continue;
             }
             let old = table.span.stretch();
             let stretch = Stretch {
@@ -178,6 +184,25 @@ impl Tables {
         }
         cost
     }
+}
+
+/// Where the body is in each piece, and in it and all behind it.
+fn around(library: &SearchLibrary, route: &Route) -> Vec<[Around; 2]> {
+    let mut all = Vec::with_capacity(route.spans.len());
+    let mut rest: Option<Whereabouts> = None;
+    for span in route.spans.iter().rev() {
+        let shown = span.from as usize..span.to as usize;
+        let torsos = &library.torsos(span.clip)[shown.clone()];
+        let place = circles::around(torsos, &library.extents(span.clip)[shown]);
+        let place = place.placed(span.world_from_clip);
+        let both = rest.map_or(place, |rest| rest.joined(&place));
+        rest = Some(both);
+        let starts_at = span.starts_at;
+        let during = |place, n_frames| Around { place, starts_at, level: level_of(n_frames) };
+        all.push([during(place, span.n_frames()), during(both, route.n_frames - starts_at)]);
+    }
+    all.reverse();
+    all
 }
 
 fn suffix_sums(library: &SearchLibrary, target: &Target, route: &Route, late: i64) -> Vec<Moments> {

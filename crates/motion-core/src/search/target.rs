@@ -1,8 +1,10 @@
 //! What is asked, in the shape that scoring wants.
 
+use super::circles::{TimeCircles, Whereabouts};
 use super::hard::{HardStretch, hard_stretches};
 use super::library::SearchLibrary;
 use super::reading::Reading;
+use crate::constraint::clearance::CLEARANCE_M;
 use crate::constraint::obstacle::Solid;
 use crate::constraint::{BodyConstraint, LengthMode, OtherBody, PoseConstraint, TOLERANCE_FRAMES};
 use crate::ids::ClipId;
@@ -11,6 +13,9 @@ use crate::score::{Weights, Wishes};
 
 /// Motions that are acceptable in all else are not expected to cost more for their environment.
 const ENVIRONMENT_SLACK: f32 = 100.0;
+
+/// Frames that readings are looked up by; what comes later is searched.
+const MAX_TABLED_FRAMES: usize = 1 << 16;
 
 /// A [`super::Problem`]'s wishes, prepared.
 #[derive(Clone, Debug)]
@@ -21,6 +26,8 @@ pub(crate) struct Target {
     pub(crate) anchor_frame: u32,
     /// Everything that is read at its own frame, in the order of frames.
     pub(crate) readings: Vec<Reading>,
+    /// For each frame up to the last reading's (of the first [`MAX_TABLED_FRAMES`]), the first of them at or after it.
+    first_reading: Vec<u32>,
     /// Checkpoints between the first and the last: where the body should be by when.
     pub(crate) waypoints: Vec<(u32, PlanarTransform)>,
     /// The last checkpoint's place, read at the motion's last frame.
@@ -34,7 +41,7 @@ pub(crate) struct Target {
     pub(crate) styles: Vec<StyleTarget>,
     pub(crate) hard: Vec<HardStretch>,
     pub(crate) solids: Vec<Solid>,
-    pub(crate) others: Vec<OtherBody>,
+    pub(crate) others: Vec<OtherTarget>,
     /// The number of frames that the search aims at, where anything says so.
     pub(crate) frames: Option<u32>,
     exact: bool,
@@ -56,6 +63,19 @@ pub(crate) struct StyleTarget {
     pub(crate) factor: f32,
     /// Per clip: entry `f` is how many of the frames `0..f` lack the tag.
     lacks: Vec<Vec<u32>>,
+}
+
+/// Another body, and where it is, roughly.
+#[derive(Clone, Debug)]
+pub(crate) struct OtherTarget {
+    pub(crate) body: OtherBody,
+    pub(crate) circles: TimeCircles,
+}
+
+impl OtherTarget {
+    fn new(body: &OtherBody) -> Self {
+        Self { body: body.clone(), circles: TimeCircles::new(&body.ground_m) }
+    }
 }
 
 impl StyleTarget {
@@ -130,6 +150,11 @@ impl Target {
         }
         readings.retain(|r| r.ground > 0.0 || r.height > 0.0 || r.turn > 0.0);
         readings.sort_by_key(|reading| reading.frame);
+        let mut first_reading = Vec::new();
+        for (nth, reading) in readings.iter().enumerate() {
+            let n = (reading.frame as usize + 1).min(MAX_TABLED_FRAMES);
+            first_reading.resize(n.max(first_reading.len()), nth as u32);
+        }
         let clips = library.clips().clips();
         let styles = wishes.styles.iter().map(|style| StyleTarget {
             from: style.from,
@@ -172,10 +197,11 @@ impl Target {
                 .map_or(0.0, |l| weights.length * l.weight / (TOLERANCE_FRAMES * TOLERANCE_FRAMES)),
             length_frames: wish.map_or(0.0, |l| l.frames as f32),
             readings,
+            first_reading,
             waypoints,
             hard,
             solids: wishes.obstacles.iter().map(Solid::new).collect(),
-            others: wishes.others.clone(),
+            others: wishes.others.iter().map(OtherTarget::new).collect(),
             weights,
             on_the_floor: body.iter().all(|c| level(c.height_m))
                 && wishes.poses.iter().all(|p| level(p.height_m)),
@@ -199,7 +225,17 @@ impl Target {
     /// The first reading at or after `frame`, as an index.
     #[inline]
     pub(crate) fn first_reading_from(&self, frame: u32) -> usize {
-        self.readings.partition_point(|reading| reading.frame < frame)
+        match self.first_reading.get(frame as usize) {
+            Some(&nth) => nth as usize,
+            None => self.readings.partition_point(|reading| reading.frame < frame),
+        }
+    }
+
+    /// The readings at frames `first..end`.
+    #[inline]
+    pub(crate) fn readings_within(&self, first: u32, end: u32) -> &[Reading] {
+        let from = self.first_reading_from(first);
+        &self.readings[from..self.first_reading_from(end).max(from)]
     }
 
     /// Whether a motion may keep what is before frame `left_at` and show something else until `back_at`,
@@ -223,6 +259,19 @@ impl Target {
     #[inline]
     pub(crate) fn has_surroundings(&self) -> bool {
         !self.solids.is_empty() || !self.others.is_empty()
+    }
+
+    /// Whether a body that is there during `BLOCK << level` frames from `first` on may be in the way
+    /// of something.
+    #[inline]
+    pub(crate) fn may_meet(&self, place: &Whereabouts, first: i64, level: usize) -> bool {
+        let mut solids = self.solids.iter();
+        solids.any(|solid| solid.is_near(place.ground_m, place.joints_radius_m, place.top_m))
+            || self.others.iter().any(|other| {
+                let (there_m, radius_m) = other.circles.during(first, level);
+                let far_m = place.torso_radius_m + radius_m + CLEARANCE_M;
+                there_m.distance_squared(place.ground_m) < far_m * far_m
+            })
     }
 
     /// The parts of [`Self::frames_cost`] as squares; exact lengths and checkpoints that are not

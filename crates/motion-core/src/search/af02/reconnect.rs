@@ -25,7 +25,8 @@ impl Evaluator<'_> {
                     let fits = cut.from > head.span.from && cut.to < tail.span.to;
                     if fits && Some(cut.id) != present {
                         let mutation = Mutation::Reconnect { keep, resume, cut: cut.id };
-                        self.consider_tail(self.head(head, &cut), tail, cut.to, mutation, None);
+                        let at_cut = self.head(head, &cut);
+                        self.consider_tail(at_cut, tail, cut.to, mutation, at_cut.frames, |_| 0.0);
                     }
                 }
             }
@@ -63,7 +64,15 @@ impl Evaluator<'_> {
                         let through = self.through(&at_out, &stretch, &back);
                         let mutation =
                             Mutation::Detour { keep, resume, out: out.id, back: back.id };
-                        self.consider_tail(through, tail, back.to, mutation, Some(&stretch));
+                        let target = self.target;
+                        self.consider_tail(
+                            through,
+                            tail,
+                            back.to,
+                            mutation,
+                            stretch.starts_at,
+                            |budget| stretch.cost(library, target, budget),
+                        );
                     }
                 }
             }

@@ -364,10 +364,7 @@ fn costs_until(ground: Ground<'_>, at: &Node, farthest: u32) -> Vec<f32> {
     for from in entered..farthest {
         let starts_at = frame + from - entered;
         let one = Stretch { clip, world_from_clip, from, to: from + 1, starts_at };
-        sum += one.readings_cost(library, target) + one.styles_cost(target);
-        if target.has_surroundings() {
-            sum += one.surroundings_cost(library, target, f32::INFINITY);
-        }
+        sum += one.cost(library, target, f32::INFINITY);
         sums.push(sum);
     }
     sums

@@ -316,12 +316,7 @@ impl Beam<'_> {
     }
 
     fn stretch_cost(&self, stretch: &Stretch) -> f32 {
-        let (library, target) = (self.library, self.target);
-        let mut cost = stretch.readings_cost(library, target) + stretch.styles_cost(target);
-        if target.has_surroundings() {
-            cost += stretch.surroundings_cost(library, target, f32::INFINITY);
-        }
-        cost
+        stretch.cost(self.library, self.target, f32::INFINITY)
     }
 
     fn usable(&self, to: ClipId, cut: EdgeId) -> bool {

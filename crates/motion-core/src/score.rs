@@ -159,26 +159,39 @@ pub struct Judgement {
 impl Judgement {
     /// Whether the length and every constraint lie within one tolerance before correction.
     pub fn is_acceptable(&self, wishes: &Wishes) -> bool {
-        let length_ok = wishes.length.is_none_or(|wish| {
-            let one = LengthWish { weight: 1.0, ..wish };
-            one.cost(self.n_frames) <= 1.0
-        });
         let body = wishes.body.iter().zip(&self.body);
         let joints = wishes.joints.iter().zip(&self.joints);
         let poses = wishes.poses.iter().zip(&self.poses);
         let follows = wishes.follows.iter().zip(&self.follows);
-        length_ok
+        self.has_length(wishes)
             && body.into_iter().all(|(wish, error)| error.is_within(&wish.tolerance))
             && joints.into_iter().all(|(wish, &error)| wish.is_within_tolerance(error))
             && poses
                 .into_iter()
                 .all(|(wish, (met, error))| *met && error.is_within(&wish.tolerance))
             && self.locks.iter().all(|&met| met)
-            && self.styles.iter().all(|&without| without <= TOLERANCE_SHARE + 1e-6)
+            && self.styles.iter().all(|&lacking| has_style(lacking))
             && follows.into_iter().all(|(wish, &error)| wish.is_within_tolerance(error))
-            && self.deepest_m <= OBSTACLE_TOLERANCE_M
-            && self.too_near_m <= CLEARANCE_LIMIT_M
+            && self.is_clear()
     }
+
+    /// Whether the length is within one tolerance of what is wished.
+    pub fn has_length(&self, wishes: &Wishes) -> bool {
+        wishes.length.is_none_or(|wish| {
+            let one = LengthWish { weight: 1.0, ..wish };
+            one.cost(self.n_frames) <= 1.0
+        })
+    }
+
+    /// Whether nothing is in the way, and nobody, by more than a tolerance.
+    pub fn is_clear(&self) -> bool {
+        self.deepest_m <= OBSTACLE_TOLERANCE_M && self.too_near_m <= CLEARANCE_LIMIT_M
+    }
+}
+
+/// Whether a style is met where this share of its frames lacks the tag.
+pub fn has_style(lacking: f32) -> bool {
+    lacking <= TOLERANCE_SHARE + 1e-6
 }
 
 /// Torso frames of every frame of `pieces` laid end to end; the first is at the identity.

@@ -4,6 +4,8 @@
 //! [`DISTINCT_M`] apart at equal times (over the frames that both have). It is a distance between
 //! motions, not between labels: two paths through different clips may be the same walk.
 
+use std::sync::OnceLock;
+
 use super::library::SearchLibrary;
 use super::route::Route;
 use super::sketch::Sketch;
@@ -31,6 +33,8 @@ pub(crate) struct Kept {
     /// The kept motion that it came from or took the place of.
     pub(crate) improves: Option<Path>,
     sketch: Sketch,
+    /// Whether it is within every tolerance, once somebody has looked.
+    pub(super) acceptable: OnceLock<bool>,
 }
 
 impl Alternatives {
@@ -77,7 +81,13 @@ impl Alternatives {
         let replaced = behind.iter().find(|kept| same(kept)).map(|kept| kept.route.path.clone());
         behind.retain(|kept| !same(kept));
         let improves = improves.or(replaced);
-        self.kept.push(Kept { route: route.clone(), found_in: round, improves, sketch });
+        self.kept.push(Kept {
+            route: route.clone(),
+            found_in: round,
+            improves,
+            sketch,
+            acceptable: OnceLock::new(),
+        });
         self.kept.append(&mut behind);
         self.kept.truncate(self.n_max);
         true

@@ -24,6 +24,7 @@ mod line;
 mod moments;
 mod mutation;
 mod neighbourhood;
+mod press;
 mod problem;
 mod reach;
 mod reading;
@@ -119,6 +120,10 @@ pub struct Search {
     waiting: Vec<Route>,
     alternatives: Alternatives,
     best: Option<(Route, u64)>,
+    /// The best motion within every tolerance that was passed on the way.
+    accepted: Option<(Route, u64)>,
+    /// Lines held to what they miss, while nothing that is kept is acceptable.
+    pressed: Vec<Option<press::Pressed>>,
     progress: Progress,
     /// The other search that it is instead, if it is one.
     rival: Option<rivals::Rival>,
@@ -154,6 +159,7 @@ impl Search {
         let progress = Progress { best: f32::INFINITY, ..Progress::default() };
         let alternatives = Alternatives::new(MAX_ALTERNATIVES);
         let (waiting, best, rival) = (Vec::new(), None, None);
+        let (accepted, pressed) = (None, Vec::new());
         Ok(Self {
             library,
             problem,
@@ -164,6 +170,8 @@ impl Search {
             waiting,
             alternatives,
             best,
+            accepted,
+            pressed,
             progress,
             rival,
         })
@@ -190,7 +198,13 @@ impl Search {
         if stepped.iter().any(Option::is_none) {
             return false;
         }
+        let Some(pressed) = self.press(round, cancel) else { return false };
         self.progress.iteration = round;
+        self.progress.counts.add(pressed.counts);
+        self.pressed = pressed.lines;
+        if let Some(route) = pressed.accepted {
+            self.note_accepted(route);
+        }
         for (line, stepped) in self.lines.iter_mut().zip(stepped.into_iter().flatten()) {
             self.progress.counts.add(stepped.counts);
             if let Some(minimum) = &stepped.minimum {
@@ -216,8 +230,10 @@ impl Search {
         }
         self.progress.best = self.best.as_ref().map_or(f32::INFINITY, |(best, _)| best.score);
         self.progress.n_alternatives = self.alternatives.kept().len();
-        if self.progress.first_acceptable.is_none() && self.any_line_is_acceptable() {
-            self.progress.first_acceptable = Some(round);
+        if self.accepted.is_none()
+            && let Some(route) = self.acceptable_line()
+        {
+            self.note_accepted(route);
         }
         true
     }
@@ -234,28 +250,33 @@ impl Search {
         Some(Solution { path, score, iteration: *iteration, improves: None })
     }
 
-    /// Distinct local minima, best first; while there are few, good motions that lines are still
-    /// working on as well, and the best so far in any case.
+    /// Distinct local minima, best first: those within every tolerance, then the others. While there are few, good
+    /// motions that lines are still working on as well; the best so far in any case, and where no other
+    /// is acceptable, the best that was.
     pub fn alternatives(&self) -> Vec<Solution> {
-        let kept = self.alternatives.kept();
-        let solution = |kept: &alternatives::Kept| Solution {
-            path: kept.route.path.clone(),
-            score: kept.route.score,
-            iteration: kept.found_in,
-            improves: kept.improves.clone(),
+        let mut all = self.alternatives.clone();
+        if all.kept().len() < FEW_ALTERNATIVES {
+            all = self.with_lines();
+        } else if let Some((route, round)) = &self.best {
+            // A line under way may have overtaken every minimum: it is shown too, in its place.
+            all.offer(&self.library, route, *round, None);
+        }
+        let solution = |route: &Route, iteration, improves| {
+            let (path, score) = (route.path.clone(), route.score);
+            Solution { path, score, iteration, improves }
         };
-        // A line under way may have overtaken every minimum: it is shown too, in its place.
-        let mut found: Vec<Solution> = kept.iter().map(solution).collect();
-        if let Some((route, round)) = &self.best
-            && found.first().is_none_or(|first| route.score < first.score)
+        let of_kept = |kept: &&alternatives::Kept| {
+            solution(&kept.route, kept.found_in, kept.improves.clone())
+        };
+        let (well, others): (Vec<_>, Vec<_>) =
+            all.kept().iter().partition(|kept| self.is_kept_acceptable(kept));
+        let mut found: Vec<Solution> = well.iter().map(of_kept).collect();
+        if found.is_empty()
+            && let Some((route, round)) = &self.accepted
         {
-            let mut with_best = self.alternatives.clone();
-            with_best.offer(&self.library, route, *round, None);
-            found = with_best.kept().iter().map(solution).collect();
+            found.push(solution(route, *round, None));
         }
-        if kept.len() < FEW_ALTERNATIVES {
-            found = self.with_lines().kept().iter().map(solution).collect();
-        }
+        found.extend(others.iter().map(of_kept));
         found
     }
 
@@ -290,8 +311,24 @@ impl Search {
         all
     }
 
-    fn any_line_is_acceptable(&self) -> bool {
-        self.lines.iter().filter_map(Line::route).any(|route| self.is_acceptable(route))
+    /// The best line's motion within every tolerance.
+    fn acceptable_line(&self) -> Option<Route> {
+        let routes = self.lines.iter().filter_map(Line::route);
+        let acceptable = routes.filter(|route| self.is_acceptable(route));
+        acceptable.min_by(|a, b| a.score.total_cmp(&b.score)).cloned()
+    }
+
+    /// Keeps the best motion within every tolerance, so that it is not lost where others score better.
+    fn note_accepted(&mut self, route: Route) {
+        let round = self.progress.iteration.max(1);
+        self.progress.first_acceptable.get_or_insert(round);
+        if self.accepted.as_ref().is_none_or(|(known, _)| route.score < known.score) {
+            self.accepted = Some((route, round));
+        }
+    }
+
+    fn is_kept_acceptable(&self, kept: &alternatives::Kept) -> bool {
+        *kept.acceptable.get_or_init(|| self.is_acceptable(&kept.route))
     }
 
     fn is_acceptable(&self, route: &Route) -> bool {

@@ -165,8 +165,10 @@ impl Search {
             let Some(route) = self.waiting.pop() else { break };
             self.lines[nth].begin_at(route);
         }
-        let acceptable = self.any_line_is_acceptable();
-        self.progress.first_acceptable = acceptable.then_some(round.max(1));
+        self.progress.first_acceptable = None;
+        if let Some(route) = self.acceptable_line() {
+            self.note_accepted(route);
+        }
     }
 
     fn note_best(&mut self, routes: impl IntoIterator<Item = Route>) {

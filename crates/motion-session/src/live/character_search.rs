@@ -418,7 +418,11 @@ impl CharacterSearch {
                 }
             }
         }
-        takes.sort_by(|a, b| a.score.total_cmp(&b.score));
+        // A take that meets everything comes before one that scores better and does not.
+        takes.sort_by(|a, b| {
+            let is_short = |take: &Take| !self.is_acceptable(take.id);
+            is_short(a).cmp(&is_short(b)).then(a.score.total_cmp(&b.score))
+        });
         self.made.retain(|id, _| takes.iter().any(|take| take.id == *id));
         self.judged.retain(|id, _| takes.iter().any(|take| take.id == *id));
         let mut remarks = self.asked.remarks.clone();
@@ -474,6 +478,12 @@ impl CharacterSearch {
             by_hand: self.layers.of(id, &self.lineage),
             made: self.made.get(&id).map(|kept| kept.made.clone()),
         }
+    }
+
+    /// Whether a take that was judged is within every tolerance.
+    fn is_acceptable(&self, id: TakeId) -> bool {
+        let judged = self.judged.get(&id).and_then(Option::as_ref);
+        judged.is_some_and(|judged| judged.is_acceptable(&self.search.problem().wishes))
     }
 
     fn better(&self, takes: &[Take]) -> Option<Better> {

@@ -107,10 +107,9 @@ impl Search {
         }
         self.progress.best = self.best.as_ref().map_or(f32::INFINITY, |(best, _)| best.score);
         self.progress.n_alternatives = self.alternatives.kept().len();
-        if self.progress.first_acceptable.is_none()
-            && minima.iter().chain(&under_way).any(|route| self.is_acceptable(route))
-        {
-            self.progress.first_acceptable = Some(round);
+        if self.accepted.is_none() {
+            let acceptable = minima.into_iter().chain(under_way).find(|r| self.is_acceptable(r));
+            acceptable.into_iter().for_each(|route| self.note_accepted(route));
         }
         true
     }

@@ -118,7 +118,7 @@ impl Bench {
         let library = self.library()?;
         let n_clips = library.graph().n_clips();
         let asked: Arc<[Asked]> = match &self.source {
-            Source::Cmu(_) => asked::load_all(&self.source.problems()?, library.clips())?.into(),
+            Source::Cmu(_) => asked::load_all(&self.source.problems()?, &library)?.into(),
             Source::BuiltIn => ASKS
                 .iter()
                 .map(|ask| Asked { name: ask.name[..2].to_owned(), problem: ask.problem(n_clips) })

@@ -16,6 +16,10 @@ use crate::planar::PlanarTransform;
 /// How far, in frames, the two cuts of a piece are moved together.
 const REJOIN_REACH: u32 = 10;
 
+/// The same where each candidate that nothing else rules out is walked along: what is farther is reached in
+/// more than one step.
+const REJOIN_REACH_AROUND: u32 = 5;
+
 /// A way out of the route into another clip.
 struct Way<'a> {
     keep: usize,
@@ -137,9 +141,9 @@ impl Evaluator<'_> {
         let head = self.through(&way.head, &stretch, back);
         let mutation = Mutation::Detour { keep: way.keep, resume, out: way.out.id, back: back.id };
         let tail = &self.tables.spans[resume];
-        let (library, target) = (self.library, self.target);
+        let (library, target, limit) = (self.library, self.target, self.best.limit());
         self.consider_tail(head, tail, back.to, mutation, way.head.frames, |_| {
-            way.through.borrow_mut().cost_to(library, target, back.from)
+            way.through.borrow_mut().cost_to(library, target, back.from, limit)
         });
     }
 
@@ -157,10 +161,11 @@ impl Evaluator<'_> {
             ) else {
                 continue;
             };
+            let around = self.target.has_surroundings();
+            let reach = if around { REJOIN_REACH_AROUND } else { REJOIN_REACH };
             let near = |cuts: &[Cut], from: u32, to: u32| -> Vec<Cut> {
-                let is_near = |cut: &&Cut| {
-                    cut.from.abs_diff(from) <= REJOIN_REACH && cut.to.abs_diff(to) <= REJOIN_REACH
-                };
+                let is_near =
+                    |cut: &&Cut| cut.from.abs_diff(from) <= reach && cut.to.abs_diff(to) <= reach;
                 cuts.iter().filter(is_near).copied().collect()
             };
             let out_cuts = near(out.leaves, head.span.to, middle.from);

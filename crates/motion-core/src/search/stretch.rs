@@ -8,7 +8,7 @@ use super::target::Target;
 use crate::constraint::clearance::CLEARANCE_TOLERANCE_M;
 use crate::constraint::environment::Sums;
 use crate::constraint::obstacle::{OBSTACLE_STRIDE, OBSTACLE_TOLERANCE_M};
-use crate::ids::ClipId;
+use crate::ids::{ClipId, JointIdx};
 use crate::planar::PlanarTransform;
 
 /// Frames `from..to` of a clip, shown from the motion's frame `starts_at` on.
@@ -19,6 +19,15 @@ pub(crate) struct Stretch {
     pub(crate) from: u32,
     pub(crate) to: u32,
     pub(crate) starts_at: u32,
+}
+
+/// What of a body is looked at where something is in the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Look {
+    /// The first joint: soon done, and who walks through something does so with the hips.
+    Hips,
+    /// Every joint.
+    Whole,
 }
 
 impl Stretch {
@@ -70,8 +79,25 @@ impl Stretch {
         target: &Target,
         enough: f32,
     ) -> f32 {
+        if enough.is_finite() {
+            let at_least = self.seen_by(Look::Hips, library, target, enough);
+            if at_least >= enough {
+                return at_least;
+            }
+        }
+        self.seen_by(Look::Whole, library, target, enough)
+    }
+
+    /// The same as far as a look shows it: a lower bound for the hips alone.
+    pub(crate) fn seen_by(
+        &self,
+        look: Look,
+        library: &SearchLibrary,
+        target: &Target,
+        enough: f32,
+    ) -> f32 {
         let mut cost = 0.0;
-        self.look_around(library, target, |_, more| {
+        self.look_around(look, library, target, |_, more| {
             cost += more;
             cost < enough
         });
@@ -83,6 +109,7 @@ impl Stretch {
     #[inline]
     pub(crate) fn look_around(
         &self,
+        look: Look,
         library: &SearchLibrary,
         target: &Target,
         mut see: impl FnMut(u32, f32) -> bool,
@@ -101,7 +128,8 @@ impl Stretch {
                 let looked_at = starts_at.next_multiple_of(OBSTACLE_STRIDE)..ends_at;
                 for frame in looked_at.step_by(OBSTACLE_STRIDE as usize) {
                     let at = (self.clip, from + frame - starts_at);
-                    let cost = surroundings_at(library, target, self.world_from_clip, at, frame);
+                    let cost =
+                        surroundings_at(look, library, target, self.world_from_clip, at, frame);
                     if cost > 0.0 && !see(frame, cost) {
                         return false;
                     }
@@ -115,6 +143,7 @@ impl Stretch {
 /// What a frame that is looked at costs for being in something's way, with those up to the next.
 #[inline]
 pub(crate) fn surroundings_at(
+    look: Look,
     library: &SearchLibrary,
     target: &Target,
     world_from_clip: PlanarTransform,
@@ -122,7 +151,10 @@ pub(crate) fn surroundings_at(
     frame: u32,
 ) -> f32 {
     let torso = world_from_clip * library.torsos(clip)[clip_frame as usize];
-    let depth_m = depth_m(library, target, torso, (clip, clip_frame));
+    let depth_m = match look {
+        Look::Hips => hips_depth_m(library, target, torso, (clip, clip_frame)),
+        Look::Whole => depth_m(library, target, torso, (clip, clip_frame)),
+    };
     let near_m = too_near_m(target, torso.ground_m(), frame);
     if depth_m == 0.0 && near_m == 0.0 {
         return 0.0;
@@ -137,6 +169,18 @@ fn seen_cost(library: &SearchLibrary, target: &Target, depth_m: f32, near_m: f32
         (depth_m / OBSTACLE_TOLERANCE_M).powi(2) + (near_m / CLEARANCE_TOLERANCE_M).powi(2);
     let secs = library.clips().fps().frame_secs() as f32 * OBSTACLE_STRIDE as f32;
     target.weights.environment * squares * secs
+}
+
+/// How deep the first joint is within obstacles, metres: no deeper than the body.
+#[inline]
+fn hips_depth_m(
+    library: &SearchLibrary,
+    target: &Target,
+    world_from_torso: PlanarTransform,
+    (clip, clip_frame): (ClipId, u32),
+) -> f32 {
+    let hips_m = world_from_torso.apply(library.bodies(clip).joint_m(clip_frame, JointIdx(0)));
+    target.solids.iter().map(|solid| solid.depth_m(hips_m)).fold(0.0, f32::max)
 }
 
 /// How deep a body is within obstacles, metres.

@@ -6,7 +6,7 @@ use super::circles::{self, Whereabouts, level_of};
 use super::library::SearchLibrary;
 use super::moments::Moments;
 use super::route::{Route, Span};
-use super::stretch::{Stretch, surroundings_at};
+use super::stretch::{Look, Stretch, surroundings_at};
 use super::target::Target;
 use crate::constraint::environment::Sums;
 use crate::constraint::obstacle::OBSTACLE_STRIDE;
@@ -162,27 +162,36 @@ impl Tables {
             target.may_meet(&place, i64::from(around.starts_at) + late, around.level)
         };
         // What is shown of the piece that is entered is all known, but where it is entered before the route does.
-        let first = &self.around[behind - 1][0];
-        let mut cost = 0.0;
-        if entered < tail.span.from || may_meet(first) {
-            cost = own.surroundings_cost(library, target, enough);
-        }
-        for (table, [piece, rest]) in self.spans.iter().zip(&self.around).skip(behind) {
-            if cost >= enough || !may_meet(rest) {
-                break;
+        let own_is_near = entered < tail.span.from || may_meet(&self.around[behind - 1][0]);
+        let seen_by = |look: Look| {
+            let mut cost = 0.0;
+            if own_is_near {
+                cost = own.seen_by(look, library, target, enough);
             }
-            if !may_meet(piece) {
-                continue;
+            for (table, [piece, rest]) in self.spans.iter().zip(&self.around).skip(behind) {
+                if cost >= enough || !may_meet(rest) {
+                    break;
+                }
+                if !may_meet(piece) {
+                    continue;
+                }
+                let old = table.span.stretch();
+                let stretch = Stretch {
+                    world_from_clip: moved * old.world_from_clip,
+                    starts_at: (i64::from(old.starts_at) + late) as u32,
+                    ..old
+                };
+                cost += stretch.seen_by(look, library, target, enough - cost);
             }
-            let old = table.span.stretch();
-            let stretch = Stretch {
-                world_from_clip: moved * old.world_from_clip,
-                starts_at: (i64::from(old.starts_at) + late) as u32,
-                ..old
-            };
-            cost += stretch.surroundings_cost(library, target, enough - cost);
+            cost
+        };
+        if enough.is_finite() {
+            let at_least = seen_by(Look::Hips);
+            if at_least >= enough {
+                return at_least;
+            }
         }
-        cost
+        seen_by(Look::Whole)
     }
 }
 
@@ -278,7 +287,7 @@ fn head_costs(
         }
         if has_surroundings && frame.is_multiple_of(OBSTACLE_STRIDE) {
             let at = (span.clip, clip_frame);
-            shown += surroundings_at(library, target, span.world_from_clip, at, frame);
+            shown += surroundings_at(Look::Whole, library, target, span.world_from_clip, at, frame);
         }
         if left == span.to {
             last_shown = shown;

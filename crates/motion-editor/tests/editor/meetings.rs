@@ -65,13 +65,10 @@ fn two_meet_face_to_face_and_part_by_undo() {
 }
 
 #[test]
-#[ignore = "its mark is not always there in time; the cause is not found yet"]
 fn a_meeting_is_retimed_typed_and_deleted() {
     let Some(mut harness) = two() else { return };
     meet(&mut harness);
-    let label = "meets Character 2, frame";
-    crate::window::until(&mut harness, |h| h.query_by_label_contains(label).is_some());
-    let mark = harness.get_by_label_contains(label).rect().center();
+    let mark = harness.get_by_label_contains("meets Character 2, frame").rect().center();
     drag(&mut harness, mark, Vec2::new(70.0, 0.0));
     let later = meetings(&harness)[0].frame;
     assert!(later > 65, "{later}");
@@ -79,7 +76,7 @@ fn a_meeting_is_retimed_typed_and_deleted() {
     assert_eq!(beside_first(&meetings(&harness)[0], 1), ([1.0, 0.0], 90.0));
     click(&mut harness, Role::ComboBox, "Clip of Character 2");
     harness.event(Event::Text("walk_slow".to_owned()));
-    harness.run_steps(12);
+    harness.run_steps(3);
     harness.key_press(Key::Enter);
     harness.run_steps(4);
     assert_eq!(meetings(&harness)[0].members[1].clip, "walk_slow");

@@ -53,7 +53,7 @@ pub fn ruler_ui(sheet: &mut Sheet<'_>, strip: Rect) {
         let at = Pos2::new(x + 4.0, strip.bottom() - 11.0 - 0.5 * words.size().y);
         // Half a number beside the playhead's reads as another one.
         let room = Rect::from_min_size(at, words.size());
-        if plate.is_none_or(|plate| !plate.x_range().intersection(room.x_range()).is_positive()) {
+        if plate.is_none_or(|plate| !plate.x_range().intersects(room.x_range())) {
             painter.galley(at, words, palette.faint);
         }
     }

@@ -25,6 +25,20 @@ fn the_window_opens_with_a_view_and_few_controls() {
     assert!((10..=MAX_CONTROLS).contains(&n), "{n} controls");
 }
 
+#[test]
+fn every_menu_is_seen_whole() {
+    let Some(mut harness) = open() else { return };
+    harness.run_steps(2);
+    for (name, last) in [("Edit", "Nudge"), ("View", "Log"), ("Takes", "Follow the best take")] {
+        harness.get_by_role_and_label(Role::Button, name).click();
+        harness.run_steps(4);
+        let last = harness.get_by_label_contains(last).rect();
+        assert!(last.bottom() <= 1000.0, "{name} goes on to {}", last.bottom());
+        harness.key_press(Key::Escape);
+        harness.run_steps(4);
+    }
+}
+
 /// Who aims at a button while takes come presses that button.
 #[test]
 fn nothing_moves_while_takes_come() {

@@ -12,8 +12,7 @@ const LEAST_AREA: f64 = 1e-5;
 pub(super) fn is_needle([a, b, c]: [DVec3; 3]) -> bool {
     let longest = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a));
     let double_area = (b - a).cross(c - a).length();
-    // Also where something is no number.
-    !(double_area > LEAST_AREA * longest)
+    double_area.is_nan() || double_area <= LEAST_AREA * longest
 }
 
 /// Puts the corners of triangles that lost their area when vertices were moved back to where these

@@ -5,6 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use motion_editor::app::EditorApp;
 use motion_editor::meeting::beside_first;
+use motion_editor::panels::right_tab::RightTab;
 use motion_editor::ui_command::UiCommand;
 use motion_session::Interaction;
 use motion_session::document::CharacterIdx;
@@ -56,6 +57,11 @@ fn two_meet_face_to_face_and_part_by_undo() {
     harness.state_mut().state.activate(CharacterIdx(1));
     harness.run_steps(2);
     harness.get_by_label(&label);
+    // What it costs is said too.
+    harness.state_mut().state.activate(CharacterIdx(0));
+    harness.state_mut().state.right_tab = RightTab::Why;
+    harness.run_steps(3);
+    harness.get_by_label_contains(&format!("{} meets {} · f 60", names[0], names[1]));
     let saved = harness.state().state.session.document().to_project();
     assert_eq!(crate::window::read_again(&saved), saved, "as it was saved");
     harness.key_press_modifiers(Modifiers::CTRL, Key::Z);

@@ -80,6 +80,8 @@ fn submenu(group: &[C]) -> Option<&'static str> {
         Some("Nudge")
     } else if group.contains(&C::ViewFront) {
         Some("Views")
+    } else if are_all(|command| matches!(command, C::GhostsAre(_))) {
+        Some("Which ghosts")
     } else {
         None
     }

@@ -26,17 +26,13 @@ fn the_window_opens_with_a_view_and_few_controls() {
 }
 
 #[test]
-fn every_menu_is_seen_whole() {
+fn the_longest_menu_is_seen_whole() {
     let Some(mut harness) = open() else { return };
     harness.run_steps(2);
-    for (name, last) in [("Edit", "Nudge"), ("View", "Log"), ("Takes", "Follow the best take")] {
-        harness.get_by_role_and_label(Role::Button, name).click();
-        harness.run_steps(4);
-        let last = harness.get_by_label_contains(last).rect();
-        assert!(last.bottom() <= 1000.0, "{name} goes on to {}", last.bottom());
-        harness.key_press(Key::Escape);
-        harness.run_steps(4);
-    }
+    harness.get_by_role_and_label(Role::Button, "Edit").click();
+    harness.run_steps(4);
+    let last = harness.get_by_label_contains("Nudge").rect();
+    assert!(last.bottom() <= 1000.0, "it goes on to {}", last.bottom());
 }
 
 /// Who aims at a button while takes come presses that button.

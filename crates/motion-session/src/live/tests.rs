@@ -98,7 +98,7 @@ fn no_take_is_shown_before_its_motion_is_made() {
     let (sent, came) = sync_channel(1);
     let of_worker = Arc::clone(&shared);
     let wake: Wake = Arc::new(move || {
-        of_worker.snapshots.take().into_iter().for_each(|s| sent.send(s).unwrap())
+        of_worker.snapshots.take().into_iter().for_each(|s| sent.send(s).unwrap());
     });
     let of_worker = Arc::clone(&shared);
     let worker = thread::Builder::new().spawn(move || worker::run(&of_worker, &wake)).unwrap();

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{CentralPanel, Frame, Margin, Panel, Ui};
+use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, Vec2};
 
 use motion_session::preferences::UI_SCALES;
 use motion_session::session::SessionError;
@@ -221,12 +221,13 @@ impl EditorApp {
                 .frame(side)
                 .show(ui, |ui| {
                     focus::anchor_ui(ui, focus::PANELS[3]);
-                    // Whatever is found, what is selected stays in sight.
-                    let room = 0.58 * ui.available_height();
-                    ui.scope(|ui| {
-                        ui.set_max_height(room);
-                        self.takes.ui(ui, state);
-                    });
+                    // Whatever is found, what is selected stays in sight, and where it is: what moves
+                    // under the pointer while takes come is not clicked.
+                    let room = Vec2::new(ui.available_width(), 0.58 * ui.available_height());
+                    let builder =
+                        UiBuilder::new().max_rect(Rect::from_min_size(ui.cursor().min, room));
+                    self.takes.ui(&mut ui.new_child(builder), state);
+                    ui.advance_cursor_after_rect(Rect::from_min_size(ui.cursor().min, room));
                     ui.add_space(3.0 * theme::GRID);
                     right_tab::tab_bar_ui(ui, state);
                     // What is selected now is seen from its top.

@@ -1,9 +1,11 @@
 //! Why a take costs what it costs: each constraint and each cut, the dearest first.
 
-use motion_session::document::ConstraintRef;
-use motion_session::{ConstraintKind, ConstraintReport};
+use motion_session::document::{CharacterIdx, ConstraintRef};
+use motion_session::selection::Selectable;
+use motion_session::stage::meeting_wishes::title;
+use motion_session::{Constraint, ConstraintKind, ConstraintReport, Interaction, Member};
 
-use crate::mark::Mark;
+use crate::mark::{Mark, Unknown};
 use crate::take_card::TakeCard;
 
 /// A cost of 1 is so much off where the constraint says nothing else: metres, degrees, frames
@@ -17,8 +19,8 @@ const TOLERANCE_SHARE: f64 = 0.10;
 /// What a constraint costs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintReason {
-    /// Which.
-    pub at: ConstraintRef,
+    /// Which: a constraint, or a meeting.
+    pub item: Selectable,
     /// What it is called.
     pub title: String,
     /// When.
@@ -52,37 +54,76 @@ pub struct CutReason {
     pub is_bridge: bool,
 }
 
-/// What each constraint adds to a take's score, the most first. `weights` are the project's factors of
+/// What each constraint adds to a take's score, in their order. `weights` are the project's factors of
 /// the terms, by their names.
 pub fn constraint_reasons(
     take: &TakeCard,
     marks: &[Mark],
     weights: &[(String, f64)],
 ) -> Vec<ConstraintReason> {
-    let reason = |mark: &Mark| {
-        let find = |all: &[ConstraintReport]| {
-            all.iter().find(|report| report.constraint == mark.constraint.id).cloned()
-        };
-        let (before, after) = (find(&take.lane.raw_misses), find(&take.lane.misses));
-        let term = term_of(&mark.constraint.kind);
-        let factor = weights.iter().find(|(name, _)| name == term).map_or(1.0, |(_, w)| *w);
-        let weight = mark.constraint.weight.unwrap_or(1.0) * factor;
-        let tolerances = tolerances_of(mark);
-        let cost = before.as_ref().map_or(0.0, |report| in_tolerances(report, tolerances)) * weight;
-        ConstraintReason {
-            at: mark.at.clone(),
-            title: mark.title(),
-            frame: mark.frame(),
-            wish: wish_of(mark),
-            before: before.map(|report| words(mark, &report)),
-            after: after.map(|report| words(mark, &report)),
-            cost,
-            share: share(cost, take.score),
-        }
+    marks.iter().map(|mark| reason(take, mark, weights)).collect()
+}
+
+/// What each meeting adds to the score of a take of its member called `name`, in their order: it
+/// counts as a pose of his.
+pub fn meeting_reasons<'a>(
+    take: &TakeCard,
+    meetings: impl Iterator<Item = &'a Interaction>,
+    name: &str,
+    weights: &[(String, f64)],
+) -> Vec<ConstraintReason> {
+    let own = |known: &'a Interaction| {
+        known.members.iter().find(|member| member.character == name).map(|member| (known, member))
     };
-    let mut reasons: Vec<ConstraintReason> = marks.iter().map(reason).collect();
-    reasons.sort_by(|a, b| b.cost.total_cmp(&a.cost));
-    reasons
+    let of_meeting = |(known, member): (&Interaction, &Member)| ConstraintReason {
+        item: Selectable::Interaction(known.id.clone()),
+        title: title(known),
+        ..reason(take, &as_pose(known, member), weights)
+    };
+    meetings.filter_map(own).map(of_meeting).collect()
+}
+
+/// What a meeting asks of a member.
+fn as_pose(meeting: &Interaction, member: &Member) -> Mark {
+    let kind = ConstraintKind::Pose {
+        frame: meeting.frame,
+        clip: member.clip.clone(),
+        clip_frame: member.clip_frame,
+        position_m: None,
+        heading_deg: None,
+        height_m: None,
+    };
+    let (id, weight) = (meeting.id.clone(), meeting.weight);
+    Mark {
+        at: ConstraintRef::new(CharacterIdx(0), id.clone()),
+        index: 0,
+        number: 0,
+        constraint: Constraint { id, kind, weight, tolerance: None, extra: Default::default() },
+        miss: None,
+        unknown: Unknown::default(),
+    }
+}
+
+fn reason(take: &TakeCard, mark: &Mark, weights: &[(String, f64)]) -> ConstraintReason {
+    let find = |all: &[ConstraintReport]| {
+        all.iter().find(|report| report.constraint == mark.constraint.id).cloned()
+    };
+    let (before, after) = (find(&take.lane.raw_misses), find(&take.lane.misses));
+    let term = term_of(&mark.constraint.kind);
+    let factor = weights.iter().find(|(name, _)| name == term).map_or(1.0, |(_, w)| *w);
+    let weight = mark.constraint.weight.unwrap_or(1.0) * factor;
+    let tolerances = tolerances_of(mark);
+    let cost = before.as_ref().map_or(0.0, |report| in_tolerances(report, tolerances)) * weight;
+    ConstraintReason {
+        item: Selectable::Constraint(mark.at.clone()),
+        title: mark.title(),
+        frame: mark.frame(),
+        wish: wish_of(mark),
+        before: before.map(|report| words(mark, &report)),
+        after: after.map(|report| words(mark, &report)),
+        cost,
+        share: share(cost, take.score),
+    }
 }
 
 /// What each cut adds to a take's score, the most first.

@@ -33,17 +33,17 @@ pub fn search_chip_ui(ui: &mut Ui, state: &mut EditorState) {
         }
     }
     ui.add_space(theme::GRID);
+    // Beside the takes it stands over them. The words are of another length every second: left of
+    // them it would run away from the pointer.
+    if !state.settings.right.open && better_ui(ui, state) {
+        ui.add_space(theme::GRID);
+    }
     let active = state.session.snapshot().character(state.session.active());
     if let Some(found) = active {
         sparkline_ui(ui, SPARKLINE_PT, &found.trace, found.iterations);
         ui.add_space(theme::GRID);
     }
     words_ui(ui, state);
-    ui.add_space(2.0 * theme::GRID);
-    // Beside the takes it stands over them.
-    if !state.settings.right.open {
-        better_ui(ui, state);
-    }
 }
 
 /// What is said, with a sign before it.

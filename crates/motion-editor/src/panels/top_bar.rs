@@ -1,6 +1,6 @@
 //! Menus, the name of the project, and how the search stands.
 
-use egui::{Align, Button, Layout, MenuBar, RichText, Ui};
+use egui::{Align, Button, Layout, MenuBar, RichText, ScrollArea, Ui};
 
 use super::search_chip;
 use crate::icons;
@@ -15,10 +15,14 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
         ui.add_space(theme::GRID);
         for (name, groups) in menus() {
             ui.menu_button(name, |ui| {
-                menu_ui(ui, &groups, state);
-                if name == "File" {
-                    recent_ui(ui, state);
-                }
+                // What is longer than a small window is high can still be reached.
+                let room = ui.ctx().content_rect().height() - 2.0 * theme::TOP_BAR_HEIGHT;
+                ScrollArea::vertical().max_height(room).show(ui, |ui| {
+                    menu_ui(ui, &groups, state);
+                    if name == "File" {
+                        recent_ui(ui, state);
+                    }
+                });
             });
         }
         ui.add_space(2.0 * theme::GRID);
@@ -43,15 +47,18 @@ fn menu_ui(ui: &mut Ui, groups: &[Vec<C>], state: &mut EditorState) {
         if nth > 0 {
             ui.separator();
         }
-        if group.iter().all(|command| matches!(command, C::PinTake(_))) {
-            ui.menu_button("Pin or unpin", |ui| menu_ui(ui, std::slice::from_ref(group), state));
+        if let Some(name) = submenu(group)
+            && groups.len() > 1
+        {
+            ui.menu_button(name, |ui| menu_ui(ui, std::slice::from_ref(group), state));
             continue;
         }
         for &command in group {
             let enabled = command.is_enabled(state);
             let key = command.shortcut().map(|key| key_text(&key));
             let tick = if command.is_on(state) == Some(true) { icons::DONE } else { "" };
-            let tick = RichText::new(tick).color(theme::of(ui).accent);
+            // In letters it would be another sign.
+            let tick = RichText::new(tick).font(theme::icon()).color(theme::of(ui).accent);
             let mut button = Button::new((command.label(), tick));
             if let Some(key) = key {
                 button = button.shortcut_text(key);
@@ -61,6 +68,22 @@ fn menu_ui(ui: &mut Ui, groups: &[Vec<C>], state: &mut EditorState) {
                 ui.close();
             }
         }
+    }
+}
+
+/// What many alike stand behind.
+fn submenu(group: &[C]) -> Option<&'static str> {
+    let are_all = |is_one: fn(&C) -> bool| group.iter().all(is_one);
+    if are_all(|command| matches!(command, C::PinTake(_))) {
+        Some("Pin or unpin")
+    } else if are_all(|command| matches!(command, C::Nudge(_))) {
+        Some("Nudge")
+    } else if group.contains(&C::ViewFront) {
+        Some("Views")
+    } else if are_all(|command| matches!(command, C::GhostsAre(_))) {
+        Some("Which ghosts")
+    } else {
+        None
     }
 }
 

@@ -3,12 +3,13 @@
 use egui::{Align2, Color32, FontId, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 use motion_scene::color::ColorRole;
 use motion_session::live::SearchState;
-use motion_session::selection::Selectable;
 
 use super::takes::score_text;
 use super::{empty_ui, heading_ui};
 use crate::icons;
-use crate::reasons::{ConstraintReason, CutReason, constraint_reasons, cut_reasons};
+use crate::reasons::{
+    ConstraintReason, CutReason, constraint_reasons, cut_reasons, meeting_reasons,
+};
 use crate::state::EditorState;
 use crate::theme;
 
@@ -37,14 +38,19 @@ pub fn why_ui(ui: &mut Ui, state: &mut EditorState) {
     let weights = &state.session.document().search().weights;
     let stale = if card.is_stale { "for earlier constraints" } else { "the dearest first" };
     heading_ui(ui, "Constraints", stale);
-    let reasons = constraint_reasons(&card, &state.marks, weights);
+    let mut reasons = constraint_reasons(&card, &state.marks, weights);
+    let active = state.session.snapshot().character(state.session.active());
+    let name = active.map_or("", |active| active.name.as_str());
+    reasons.extend(meeting_reasons(&card, state.meetings(), name, weights));
+    reasons.sort_by(|a, b| b.cost.total_cmp(&a.cost));
     if reasons.is_empty() {
         empty_ui(ui, "Nothing is asked yet; C and a press on the floor ask for a place");
     }
     for (nth, reason) in reasons.iter().enumerate() {
         let is_worst = nth == 0 && reason.cost > WORTH_A_WORD;
-        if constraint_ui(ui, reason, is_worst, state.is_selected(&reason.at)).clicked() {
-            state.session.selection_mut().select(Selectable::Constraint(reason.at.clone()));
+        let is_on = state.session.selection().contains(&reason.item);
+        if constraint_ui(ui, reason, is_worst, is_on).clicked() {
+            state.session.selection_mut().select(reason.item.clone());
             state.stop_at(reason.frame);
         }
     }

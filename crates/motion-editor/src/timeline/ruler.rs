@@ -1,6 +1,8 @@
 //! Numbers along the top, and the playhead, which follows a press on them.
 
-use egui::{Align2, CursorIcon, Pos2, Rect, Role, Sense, Shape, Stroke, WidgetInfo};
+use std::sync::Arc;
+
+use egui::{Align2, CursorIcon, Galley, Pos2, Rect, Role, Sense, Shape, Stroke, WidgetInfo};
 
 use super::action::Action;
 use super::axis::Axis;
@@ -42,13 +44,18 @@ pub fn ruler_ui(sheet: &mut Sheet<'_>, strip: Rect) {
     let painter = sheet.ui.painter().with_clip_rect(strip);
     painter.hline(strip.x_range(), strip.bottom(), Stroke::new(1.0, palette.hairline));
     let (unit, fps) = (state.settings.time_unit, state.fps());
+    let plate = plate(sheet, strip).map(|(plate, _)| plate);
     for frame in ticks(&sheet.axis, state) {
         let x = sheet.axis.x_of(frame as f64).round() + 0.5;
         let line = Stroke::new(1.0, palette.faint);
         painter.vline(x, strip.bottom() - 4.0..=strip.bottom(), line);
         let words = sheet.words(unit.short(frame, fps));
         let at = Pos2::new(x + 4.0, strip.bottom() - 11.0 - 0.5 * words.size().y);
-        painter.galley(at, words, palette.faint);
+        // Half a number beside the playhead's reads as another one.
+        let room = Rect::from_min_size(at, words.size());
+        if plate.is_none_or(|plate| !plate.x_range().intersects(room.x_range())) {
+            painter.galley(at, words, palette.faint);
+        }
     }
     let id = sheet.ui.scope_id().with("ruler");
     let response = sheet.ui.interact(strip, id, Sense::click_and_drag());
@@ -65,28 +72,32 @@ pub fn ruler_ui(sheet: &mut Sheet<'_>, strip: Rect) {
     response.on_hover_cursor(CursorIcon::ResizeHorizontal);
 }
 
-/// A line through all rows, with its frame on the ruler.
-pub fn playhead_ui(sheet: &Sheet<'_>, room: Rect) {
-    let (palette, state, ui) = (sheet.palette, sheet.state, sheet.ui);
-    if state.shown_card().is_none() {
-        return;
-    }
+/// The plate with the playhead's frame, and the words on it; none where it is not in sight.
+fn plate(sheet: &Sheet<'_>, room: Rect) -> Option<(Rect, Arc<Galley>)> {
+    let (state, ui) = (sheet.state, sheet.ui);
     let x = sheet.axis.x_of(state.frame());
-    if !room.x_range().contains(x) {
-        return;
+    if state.shown_card().is_none() || !room.x_range().contains(x) {
+        return None;
     }
-    let painter = ui.painter().with_clip_rect(room);
-    let top = room.top() + HEIGHT_PT - 21.0;
-    let line = Stroke::new(1.5, palette.accent);
-    painter.vline(x, top + 16.0..=room.bottom(), line);
     let number = state.settings.time_unit.short(state.frame_number(), state.fps());
     let font = egui::FontId { size: 11.0, ..theme::heading() };
-    let job = tabular(ui, &number, &font, palette.base);
+    let job = tabular(ui, &number, &font, sheet.palette.base);
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
     let half = 0.5 * galley.size().x + 6.0;
     // The plate stays whole at the edges, only its tip goes on.
     let middle = x.clamp(room.left() + half, (room.right() - half).max(room.left() + half));
-    let plate = Rect::from_x_y_ranges(middle - half..=middle + half, top..=top + 16.0);
+    let top = room.top() + HEIGHT_PT - 21.0;
+    Some((Rect::from_x_y_ranges(middle - half..=middle + half, top..=top + 16.0), galley))
+}
+
+/// A line through all rows, with its frame on the ruler.
+pub fn playhead_ui(sheet: &Sheet<'_>, room: Rect) {
+    let Some((plate, galley)) = plate(sheet, room) else { return };
+    let palette = sheet.palette;
+    let (x, top) = (sheet.axis.x_of(sheet.state.frame()), plate.top());
+    let painter = sheet.ui.painter().with_clip_rect(room);
+    let line = Stroke::new(1.5, palette.accent);
+    painter.vline(x, plate.bottom()..=room.bottom(), line);
     painter.rect_filled(plate, 4.0, palette.accent);
     let tip =
         [(x - 4.0, 15.0), (x + 4.0, 15.0), (x, 21.0)].map(|(x, below)| Pos2::new(x, top + below));

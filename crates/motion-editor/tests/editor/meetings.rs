@@ -5,6 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use motion_editor::app::EditorApp;
 use motion_editor::meeting::beside_first;
+use motion_editor::panels::right_tab::RightTab;
 use motion_editor::ui_command::UiCommand;
 use motion_session::Interaction;
 use motion_session::document::CharacterIdx;
@@ -56,6 +57,11 @@ fn two_meet_face_to_face_and_part_by_undo() {
     harness.state_mut().state.activate(CharacterIdx(1));
     harness.run_steps(2);
     harness.get_by_label(&label);
+    // What it costs is said too.
+    harness.state_mut().state.activate(CharacterIdx(0));
+    harness.state_mut().state.right_tab = RightTab::Why;
+    harness.run_steps(3);
+    harness.get_by_label_contains(&format!("{} meets {} · f 60", names[0], names[1]));
     let saved = harness.state().state.session.document().to_project();
     assert_eq!(crate::window::read_again(&saved), saved, "as it was saved");
     harness.key_press_modifiers(Modifiers::CTRL, Key::Z);
@@ -65,13 +71,10 @@ fn two_meet_face_to_face_and_part_by_undo() {
 }
 
 #[test]
-#[ignore = "its mark is not always there in time; the cause is not found yet"]
 fn a_meeting_is_retimed_typed_and_deleted() {
     let Some(mut harness) = two() else { return };
     meet(&mut harness);
-    let label = "meets Character 2, frame";
-    crate::window::until(&mut harness, |h| h.query_by_label_contains(label).is_some());
-    let mark = harness.get_by_label_contains(label).rect().center();
+    let mark = harness.get_by_label_contains("meets Character 2, frame").rect().center();
     drag(&mut harness, mark, Vec2::new(70.0, 0.0));
     let later = meetings(&harness)[0].frame;
     assert!(later > 65, "{later}");
@@ -79,7 +82,7 @@ fn a_meeting_is_retimed_typed_and_deleted() {
     assert_eq!(beside_first(&meetings(&harness)[0], 1), ([1.0, 0.0], 90.0));
     click(&mut harness, Role::ComboBox, "Clip of Character 2");
     harness.event(Event::Text("walk_slow".to_owned()));
-    harness.run_steps(12);
+    harness.run_steps(3);
     harness.key_press(Key::Enter);
     harness.run_steps(4);
     assert_eq!(meetings(&harness)[0].members[1].clip, "walk_slow");

@@ -47,13 +47,19 @@ fn draw(harness: &mut Window, from: [f64; 2], to: [f64; 2]) {
 /// Where the sample walks nobody stands here.
 const FREE: ([f64; 2], [f64; 2]) = ([-2.5, 1.0], [-1.5, 3.0]);
 
-#[test]
-fn forms_are_drawn_each_as_one_step() {
-    let Some(mut harness) = solved() else { return };
+/// A box drawn there, selected, with its tool still out.
+fn with_box() -> Option<Window> {
+    let mut harness = solved()?;
     quiet(&mut harness);
     harness.key_press(Key::O);
     harness.run_steps(2);
     draw(&mut harness, FREE.0, FREE.1);
+    Some(harness)
+}
+
+#[test]
+fn forms_are_drawn_each_as_one_step() {
+    let Some(mut harness) = with_box() else { return };
     let wall = shapes(&harness).remove(0);
     let [x, y, z] = center_m(&wall);
     assert!((x + 2.0).abs() < 0.03 && (z - 2.0).abs() < 0.03 && y == 0.5, "{wall:?}");
@@ -78,11 +84,7 @@ fn forms_are_drawn_each_as_one_step() {
 
 #[test]
 fn handles_size_raise_and_turn() {
-    let Some(mut harness) = solved() else { return };
-    quiet(&mut harness);
-    harness.key_press(Key::O);
-    harness.run_steps(2);
-    draw(&mut harness, FREE.0, FREE.1);
+    let Some(mut harness) = with_box() else { return };
     harness.key_press(Key::Q);
     harness.run_steps(2);
     let before = shapes(&harness).remove(0);
@@ -108,11 +110,7 @@ fn handles_size_raise_and_turn() {
 
 #[test]
 fn a_chosen_obstacle_goes_along_and_others_are_orbited_around() {
-    let Some(mut harness) = solved() else { return };
-    quiet(&mut harness);
-    harness.key_press(Key::O);
-    harness.run_steps(2);
-    draw(&mut harness, FREE.0, FREE.1);
+    let Some(mut harness) = with_box() else { return };
     harness.key_press(Key::Q);
     harness.run_steps(2);
     let before = shapes(&harness);
@@ -132,11 +130,7 @@ fn a_chosen_obstacle_goes_along_and_others_are_orbited_around() {
 
 #[test]
 fn fields_say_everything_of_an_obstacle() {
-    let Some(mut harness) = solved() else { return };
-    quiet(&mut harness);
-    harness.key_press(Key::O);
-    harness.run_steps(2);
-    draw(&mut harness, FREE.0, FREE.1);
+    let Some(mut harness) = with_box() else { return };
     for (name, typed) in [("Height", "2"), ("Width", "1.5"), ("Heading", "30"), ("x", "-3")] {
         type_in(&mut harness, name, typed);
     }

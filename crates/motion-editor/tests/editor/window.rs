@@ -99,20 +99,6 @@ pub(crate) fn button(pos: Pos2, pressed: bool) -> Event {
     Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers }
 }
 
-/// Steps on until something is so: machines that are busy with other tests take their time.
-pub(crate) fn until(
-    harness: &mut Harness<'_, EditorApp>,
-    is_so: impl Fn(&Harness<'_, EditorApp>) -> bool,
-) {
-    for _ in 0..100 {
-        if is_so(harness) {
-            return;
-        }
-        std::thread::sleep(Duration::from_millis(20));
-        harness.step();
-    }
-}
-
 /// How many steps can be undone.
 pub(crate) fn steps_back(harness: &Harness<'_, EditorApp>) -> usize {
     harness.state().state.session.history().n_steps().0

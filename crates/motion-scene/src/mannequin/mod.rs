@@ -51,6 +51,8 @@ mod grid;
 mod head;
 mod human;
 mod leg;
+mod needle;
+mod quadric;
 mod search;
 mod shape;
 mod simplify;
@@ -211,6 +213,7 @@ fn raw_levels(body: &Body) -> Vec<RawLevel> {
         let importance =
             raw.positions_m.par_iter().map(|&p| body.importance(p, idx)).collect::<Vec<_>>();
         let mut simplifier = Simplifier::new(&raw, mirror_x_m, &importance);
+        simplifier.drop_needles();
         simplifier.reduce_to(n_triangles / halves);
         raw = simplifier.mesh();
         let mut mesh = raw.clone();
@@ -264,8 +267,10 @@ fn settle(body: &Body, mesh: &mut RawMesh, mirror_x_m: Option<f32>, level: usize
     };
     let settled: Vec<(Vec3, Vec3)> = mesh.positions_m.par_iter().map(|&p| put(p)).collect();
     let normals = settled.iter().map(|s| s.1).collect();
+    let before_m = std::mem::take(&mut mesh.positions_m);
     mesh.positions_m = settled.into_iter().map(|s| s.0).collect();
     lay_soles(body, mesh, [0.003, 0.005, 0.010, 0.020][level] * scale);
+    needle::put_back(mesh, &before_m);
     normals
 }
 

@@ -6,66 +6,9 @@ use std::collections::BinaryHeap;
 
 use glam::DVec3;
 
+use super::needle::is_needle;
+use super::quadric::Quadric;
 use super::surface::RawMesh;
-
-/// The sum of squared distances to planes, as a quadratic form; and a little pull to where the
-/// vertices were, without which a flat place has no best point.
-#[derive(Clone, Copy, Debug, Default)]
-struct Quadric {
-    /// xx, xy, xz, yy, yz, zz.
-    a: [f64; 6],
-    b: DVec3,
-    c: f64,
-}
-
-impl Quadric {
-    fn plane(normal: DVec3, point: DVec3, weight: f64) -> Self {
-        let (n, d) = (normal, -normal.dot(point));
-        let a = [n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z];
-        Self { a: a.map(|x| x * weight), b: n * (d * weight), c: d * d * weight }
-    }
-
-    fn point(p: DVec3, weight: f64) -> Self {
-        let a = [weight, 0.0, 0.0, weight, 0.0, weight];
-        Self { a, b: -p * weight, c: p.length_squared() * weight }
-    }
-
-    fn add(&mut self, other: &Self) {
-        for (a, b) in self.a.iter_mut().zip(&other.a) {
-            *a += b;
-        }
-        self.b += other.b;
-        self.c += other.c;
-    }
-
-    fn at(&self, p: DVec3) -> f64 {
-        let [xx, xy, xz, yy, yz, zz] = self.a;
-        let ap = DVec3::new(
-            xx * p.x + xy * p.y + xz * p.z,
-            xy * p.x + yy * p.y + yz * p.z,
-            xz * p.x + yz * p.y + zz * p.z,
-        );
-        (p.dot(ap) + 2.0 * self.b.dot(p) + self.c).max(0.0)
-    }
-
-    /// Where it is least.
-    fn best(&self) -> Option<DVec3> {
-        let [xx, xy, xz, yy, yz, zz] = self.a;
-        let (c0, c1, c2) = (yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy);
-        let det = xx * c0 + xy * c1 + xz * c2;
-        let scale = (xx + yy + zz) / 3.0;
-        if det.abs() <= 1e-9 * scale * scale * scale {
-            return None;
-        }
-        let (d1, d2, e2) = (xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy);
-        let b = -self.b;
-        Some(DVec3::new(
-            (c0 * b.x + c1 * b.y + c2 * b.z) / det,
-            (c1 * b.x + d1 * b.y + d2 * b.z) / det,
-            (c2 * b.x + d2 * b.y + e2 * b.z) / det,
-        ))
-    }
-}
 
 /// What a collapse would cost, and the edge with the ages of its ends.
 type Candidate = Reverse<(u64, u32, u32, u32, u32)>;
@@ -87,6 +30,24 @@ pub(super) struct Simplifier {
 /// How strong the pull to the old vertices is.
 const PULL: f64 = 2e-3;
 
+/// What a collapse may do to the triangles around it.
+#[derive(Clone, Copy, Debug)]
+struct Care {
+    /// The least of twice the area over the square of the longest side.
+    least_area: f64,
+    /// The least cosine of the angle by which a triangle turns.
+    least_cos: f64,
+}
+
+/// The most careful first. A body stays with that; thin limbs that lie anywhere cannot all come
+/// down to the coarsest level's triangles so, and there it is better to fold than to be too many.
+const CARES: [Care; 4] = [
+    Care { least_area: 0.08, least_cos: 0.3 },
+    Care { least_area: 0.04, least_cos: 0.0 },
+    Care { least_area: 0.02, least_cos: -0.7 },
+    Care { least_area: 0.005, least_cos: -1.0 },
+];
+
 impl Simplifier {
     /// Begins with a mesh. Where `importance` is high at a vertex, its neighbourhood keeps more
     /// triangles.
@@ -106,18 +67,24 @@ impl Simplifier {
         for (idx, t) in mesh.triangles.iter().enumerate() {
             simplifier.add_planes(idx as u32, *t, importance);
         }
-        let mut edges: Vec<[u32; 2]> = mesh
+        simplifier.line_up();
+        simplifier
+    }
+
+    /// Every edge is a candidate.
+    fn line_up(&mut self) {
+        let mut edges: Vec<[u32; 2]> = self
             .triangles
             .iter()
+            .flatten()
             .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
             .map(|[a, b]| [a.min(b), a.max(b)])
             .collect();
         edges.sort_unstable();
         edges.dedup();
         let candidates: Vec<Candidate> =
-            edges.iter().filter_map(|&[a, b]| simplifier.candidate(a, b)).collect();
-        simplifier.heap = candidates.into();
-        simplifier
+            edges.iter().filter_map(|&[a, b]| self.candidate(a, b)).collect();
+        self.heap = candidates.into();
     }
 
     fn add_planes(&mut self, idx: u32, t: [u32; 3], importance: &[f32]) {
@@ -199,23 +166,49 @@ impl Simplifier {
     /// Collapses edges until at most `n_triangles` are left, or none can collapse. Of a mirrored
     /// half, its own triangles are counted.
     pub(super) fn reduce_to(&mut self, n_triangles: usize) {
+        for (nth, care) in CARES.into_iter().enumerate() {
+            if self.n_triangles <= n_triangles {
+                return;
+            }
+            if nth > 0 {
+                self.line_up();
+            }
+            self.reduce_with(care, n_triangles);
+        }
+    }
+
+    /// Collapses what triangles without area the surface had from the start, where it can.
+    pub(super) fn drop_needles(&mut self) {
+        for t in 0..self.triangles.len() {
+            for side in 0..3 {
+                let Some(corners) = self.triangles[t] else { break };
+                if !is_needle(corners.map(|v| self.points_m[v as usize])) {
+                    break;
+                }
+                let (a, b) = (corners[side], corners[(side + 1) % 3]);
+                self.try_collapse(a.min(b), a.max(b), CARES[CARES.len() - 1]);
+            }
+        }
+    }
+
+    fn reduce_with(&mut self, care: Care, n_triangles: usize) {
         while self.n_triangles > n_triangles {
             let Some(Reverse((_, a, b, age_a, age_b))) = self.heap.pop() else { return };
             let is_current = self.ages[a as usize] == age_a && self.ages[b as usize] == age_b;
             if is_current && !self.fans[a as usize].is_empty() && !self.fans[b as usize].is_empty()
             {
-                self.try_collapse(a, b);
+                self.try_collapse(a, b, care);
             }
         }
     }
 
-    fn try_collapse(&mut self, a: u32, b: u32) {
+    fn try_collapse(&mut self, a: u32, b: u32, care: Care) {
         let (around_a, around_b) = (self.neighbours(a), self.neighbours(b));
         if !self.stays_manifold(a, b, &around_a, &around_b) {
             return;
         }
         let (to, _) = self.collapsed(a, b);
-        if self.folds(a, b, to) || self.folds(b, a, to) {
+        if self.folds(a, b, to, care) || self.folds(b, a, to, care) {
             return;
         }
         let fan_b = std::mem::take(&mut self.fans[b as usize]);
@@ -280,9 +273,9 @@ impl Simplifier {
         }
     }
 
-    /// Whether a triangle at `v`, not at `gone`, would turn over or become a needle when `v` goes
-    /// to `to`.
-    fn folds(&self, v: u32, gone: u32, to: DVec3) -> bool {
+    /// Whether a triangle at `v`, not at `gone`, would turn too far or become a needle when `v`
+    /// goes to `to`.
+    fn folds(&self, v: u32, gone: u32, to: DVec3, care: Care) -> bool {
         self.fans[v as usize].iter().any(|&t| {
             let Some(t) = self.triangles[t as usize] else { return false };
             if t.contains(&gone) {
@@ -294,7 +287,8 @@ impl Simplifier {
             let (n0, n1) = (cross(before), cross(after));
             let longest = (0..3).map(|i| after[i].distance_squared(after[(i + 1) % 3]));
             let longest = longest.fold(0.0, f64::max);
-            n1.length() < 0.08 * longest || n0.dot(n1) < 0.3 * n0.length() * n1.length()
+            n1.length() < care.least_area * longest
+                || n0.dot(n1) < care.least_cos * n0.length() * n1.length()
         })
     }
 

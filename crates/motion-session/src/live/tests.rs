@@ -90,6 +90,42 @@ fn what_cannot_be_is_said_and_the_nearest_is_shown() {
     assert!(reason.contains("m/s; the fastest clip in use goes"), "{reason}");
 }
 
+/// Of all snapshots, not of those alone that a window is quick enough to see: while there is no
+/// motion nothing can be played.
+#[test]
+fn no_take_is_shown_before_its_motion_is_made() {
+    let shared: Arc<Shared> = Arc::default();
+    let (sent, came) = sync_channel(1);
+    let of_worker = Arc::clone(&shared);
+    let wake: Wake = Arc::new(move || {
+        of_worker.snapshots.take().into_iter().for_each(|s| sent.send(s).unwrap());
+    });
+    let of_worker = Arc::clone(&shared);
+    let worker = thread::Builder::new().spawn(move || worker::run(&of_worker, &wake)).unwrap();
+    for (number, x_m) in [(1, 0.8), (2, 1.8)] {
+        let request = Some(Arc::new(Request {
+            number,
+            document: walk_to(x_m, 4.0),
+            library: ready_library(),
+            path: "walk.gaitway".into(),
+            phase: Phase::Settled,
+        }));
+        shared.wishes.put(Wish { request, follow_best: true, ..Wish::default() });
+        let of_this = came.iter().filter(|snapshot| snapshot.request == number);
+        for snapshot in of_this {
+            let character = &snapshot.characters[0];
+            let what = (character.iterations, character.shown);
+            assert!(character.shown.is_none() || is_shown(&snapshot), "{what:?}");
+            if snapshot.state == SearchState::Settled {
+                break;
+            }
+        }
+    }
+    shared.wishes.put(Wish { is_over: true, ..Wish::default() });
+    came.iter().for_each(drop);
+    worker.join().unwrap();
+}
+
 #[test]
 fn dropping_it_ends_the_worker() {
     let (mut search, woken) = start();

@@ -56,6 +56,9 @@ pub(super) fn run(shared: &Shared, wake: &Wake) {
         } else {
             is_idle = !worker.work(&token);
             if !is_idle {
+                // A round may have another take shown: one without a motion would have the body, and
+                // all that can be done with it, gone until the next.
+                worker.correct_shown();
                 publish(&mut worker);
             }
         }

@@ -9,10 +9,11 @@ pub mod rename;
 pub mod sparkline;
 pub mod way;
 
-use egui::{Align, Layout, Rect, RichText, ScrollArea, Ui};
+use egui::{Align, Layout, RichText, ScrollArea, Ui};
 use motion_session::live::SearchState;
 
-use super::{empty_ui, heading_ui};
+use super::empty_ui;
+use super::inspector::field::row_ui;
 use crate::icons;
 use crate::state::{CompareMode, EditorState};
 use crate::take_card::TakeCard;
@@ -60,8 +61,6 @@ impl TakesPanel {
     /// The whole panel. A click on a card shows its take at the same frame.
     pub fn ui(&self, ui: &mut Ui, state: &mut EditorState) {
         head_ui(ui, state);
-        better_ui(ui, state);
-        ui.add_space(theme::GRID);
         if state.cards.is_empty() {
             state.cards_are_held = false;
             match state.search_state() {
@@ -108,40 +107,50 @@ pub fn score_text(score: f64) -> String {
     }
 }
 
+/// The heading, always as high: cards stay where they are when something better comes.
 fn head_ui(ui: &mut Ui, state: &mut EditorState) {
+    ui.add_space(2.0 * theme::GRID);
+    row_ui(ui, |ui| {
+        ui.label(RichText::new("Takes").font(theme::heading()));
+        if !better_ui(ui, state) {
+            let found = RichText::new(found_text(state)).font(theme::caption());
+            ui.label(found.color(theme::of(ui).faint));
+        }
+        if state.cards.len() > 1 {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| compare_ui(ui, state));
+        }
+    });
+    ui.add_space(theme::GRID);
+}
+
+fn found_text(state: &EditorState) -> String {
     let n_pinned = state.cards.iter().filter(|card| card.is_pinned).count();
-    let beside = match (state.cards.len(), n_pinned) {
+    match (state.cards.len(), n_pinned) {
         (0, _) => String::new(),
         (n, 0) => format!("{n} found, the best first"),
         (n, pinned) => format!("{n} found, {pinned} pinned"),
-    };
-    let top = ui.cursor().top();
-    heading_ui(ui, "Takes", &beside);
-    if state.cards.len() < 2 {
-        return;
     }
-    let line = Rect::from_min_max(
-        egui::pos2(ui.max_rect().right() - 64.0, top + theme::GRID),
-        egui::pos2(ui.max_rect().right(), ui.cursor().top()),
-    );
-    let layout = Layout::right_to_left(Align::Center);
-    let mut right = ui.new_child(egui::UiBuilder::new().max_rect(line).layout(layout));
-    right.spacing_mut().item_spacing.x = 2.0;
+}
+
+/// The buttons that show takes beside each other.
+fn compare_ui(ui: &mut Ui, state: &mut EditorState) {
+    ui.spacing_mut().item_spacing.x = 2.0;
     for (icon, command, mode) in [
         (icons::SPLIT, UiCommand::CompareSplit, CompareMode::Split),
         (icons::OVERLAY, UiCommand::Compare, CompareMode::Overlay),
     ] {
         let is_on = state.comparing.mode == mode;
         let tooltip = described(command);
-        if icon_button_ui(&mut right, icon, &command.label(), &tooltip, is_on).clicked() {
+        if icon_button_ui(ui, icon, &command.label(), &tooltip, is_on).clicked() {
             state.ask(command);
         }
     }
 }
 
 /// Says that there is something better, and shows it on a click: nothing is changed by itself.
-pub fn better_ui(ui: &mut Ui, state: &mut EditorState) {
-    let Some((_, percent)) = state.better() else { return };
+/// Gives whether there is.
+pub fn better_ui(ui: &mut Ui, state: &mut EditorState) -> bool {
+    let Some((_, percent)) = state.better() else { return false };
     let palette = theme::of(ui);
     let text = RichText::new(better_text(percent)).font(theme::caption()).color(palette.text);
     let icon = RichText::new(icons::BETTER).font(theme::icon()).color(palette.accent);
@@ -152,6 +161,7 @@ pub fn better_ui(ui: &mut Ui, state: &mut EditorState) {
     if response.clicked() {
         state.ask(UiCommand::ShowBetter);
     }
+    true
 }
 
 fn better_text(percent: f32) -> String {

@@ -2,7 +2,6 @@
 
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 use super::bodies::{cmu, mixamo};
 use super::check_closed;
@@ -50,32 +49,26 @@ fn trees() -> impl Strategy<Value = BodyPlan> {
     })
 }
 
-/// Bodies keep to the levels' triangles; trees of limbs that lie anywhere need more to be closed.
-fn check(plan: &BodyPlan, slack: f64) {
+fn check(plan: &BodyPlan) {
     let model = mannequin(plan);
     for (level, most) in model.levels().iter().zip(LEVEL_TRIANGLES) {
         let n = level.triangles().len();
-        assert!(n as f64 <= slack * most as f64, "{n} triangles, not {most}");
+        assert!(n <= most, "{n} triangles, not {most}");
         check_closed(level);
     }
 }
 
 proptest! {
-    // Each takes a good part of a second where nothing is optimised. The same ones every time: what a
-    // landing is held up by shall be of its own making.
-    #![proptest_config(ProptestConfig {
-        cases: 12,
-        rng_seed: RngSeed::Fixed(5),
-        ..ProptestConfig::default()
-    })]
+    // Each takes a good part of a second where nothing is optimised.
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
     #[test]
     fn every_human_plan_has_a_closed_skin(plan in humans()) {
-        check(&plan, 1.0);
+        check(&plan);
     }
 
     #[test]
     fn every_tree_has_a_closed_skin(plan in trees()) {
-        check(&plan, 1.5);
+        check(&plan);
     }
 }

@@ -31,10 +31,10 @@ impl Bodies {
         let n_frames = joints_m.len() / n_joints;
         let mut values = Vec::with_capacity(3 * width * n_frames);
         for joints in joints_m.chunks_exact(n_joints) {
-            for axis in 0..3 {
-                let column = (0..width).map(|nth| joints[nth.min(n_joints - 1)][axis]);
-                values.extend(column);
-            }
+            let filled = |nth: usize| joints[nth.min(n_joints - 1)];
+            values.extend((0..width).map(|nth| filled(nth).x));
+            values.extend((0..width).map(|nth| filled(nth).y));
+            values.extend((0..width).map(|nth| filled(nth).z));
         }
         Self { width, values }
     }

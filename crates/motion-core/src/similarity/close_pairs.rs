@@ -108,8 +108,8 @@ fn find<'a>(a: &Side<'a>, b: &Side<'a>, n_dims: usize, is_same: bool, pairs: &mu
     let n_chunks = near_b.len().div_ceil(WIDTH);
     for (nth, &place) in near_b.iter().enumerate() {
         let (chunk, lane, place) = (nth / WIDTH, nth % WIDTH, usize::from(place));
-        for axis in 0..N_COORDS {
-            columns[chunk][axis][lane] = b.lanes[axis][place];
+        for (column, axis) in columns[chunk].iter_mut().zip(b.lanes) {
+            column[lane] = axis[place];
         }
         reaches[chunk][lane] = b.reaches[place];
     }

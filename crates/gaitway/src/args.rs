@@ -191,6 +191,9 @@ pub(crate) struct LibraryBuild {
     /// skeleton, rate, metric and τ stay
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tau", "fps", "skeleton", "shard"])]
     pub(crate) extend: Option<PathBuf>,
+    /// Memory that the build may take, GiB: where it would take more, nothing is begun
+    #[arg(long, value_name = "GIB", default_value = "4", value_parser = positive, allow_negative_numbers = true)]
+    pub(crate) memory: f64,
     /// Do only the K-th of N shares and write a part (.gwpart) for `library merge`
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub(crate) shard: Option<Shard>,

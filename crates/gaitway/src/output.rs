@@ -88,9 +88,9 @@ impl From<JobError> for Failure {
     fn from(error: JobError) -> Self {
         match error {
             JobError::File(error) => error.into(),
-            JobError::Build(error @ (BuildError::NoClips | BuildError::BadTau(_))) => {
-                Self::Wrong(error.to_string())
-            }
+            JobError::Build(
+                error @ (BuildError::NoClips | BuildError::BadTau(_) | BuildError::Memory { .. }),
+            ) => Self::Wrong(error.to_string()),
             other => Self::Other(other.into()),
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use motion_core::clip::Clip;
-use motion_core::graph::Connectivity;
+use motion_core::graph::{BuildOptions, Connectivity};
 use motion_core::ids::ClipId;
 use serde::Serialize;
 
@@ -32,6 +32,8 @@ pub struct LibraryInfo {
     pub metric: MetricInfo,
     /// Leaf edges under τ.
     pub edges: usize,
+    /// How many of them leave a frame at most; `None` where all are kept.
+    pub edges_per_frame: Option<usize>,
     /// Edges of the coarsest level.
     pub coarse_edges: usize,
     /// Edges in use at each level, the coarsest first.
@@ -131,6 +133,8 @@ impl LibraryInfo {
             hash: library.content_hashes[idx].to_string(),
             component: graph.by_tau.part_of_clip[idx],
         };
+        let rule = BuildOptions::default();
+        let is_large = clips.n_frames() > rule.all_edges_until_frames;
         let metric = &graph.metric;
         let of_columns = |value: fn(&motion_core::similarity::Column) -> f64| {
             metric.columns.iter().map(value).collect()
@@ -152,6 +156,7 @@ impl LibraryInfo {
                 l: metric.derivative_change.clone(),
             },
             edges: per_level.last().map_or(0, |all| all.saturating_sub(bridges)),
+            edges_per_frame: is_large.then_some(rule.edges_per_frame),
             coarse_edges: per_level.first().map_or(0, |all| all.saturating_sub(bridges)),
             edges_per_level: per_level,
             bridges,
@@ -179,6 +184,9 @@ impl LibraryInfo {
         line("skeleton", format!("{} joints, root {}", self.joints.len(), self.joints[0]));
         line("τ", format!("{:.4}", self.tau));
         line("edges", format!("{}, {} at the coarsest level", self.edges, self.coarse_edges));
+        if let Some(most) = self.edges_per_frame {
+            line("edges kept", format!("{most} a frame at most: local minima, then the cheapest"));
+        }
         let levels: Vec<String> = self.edges_per_level.iter().map(ToString::to_string).collect();
         line("edges per level", levels.join(" "));
         line(

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use motion_core::cancel::{CancelToken, Cancelled};
 use motion_core::clip::{Clip, ClipSet};
 use motion_core::graph::build::Stage;
+use motion_core::graph::memory::build_bytes;
 use motion_core::graph::{self, BuildError, BuildOptions, MotionGraph, TauRule};
 use motion_core::similarity::Shard;
 use motion_core::skeleton::mirror::{MIRROR_SUFFIX, MirrorMap};
@@ -18,7 +19,7 @@ use crate::error::JobError;
 use motion_io::diagnostic::Warnings;
 
 /// How a library's graph is made.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GraphChoices {
     /// Cuts cheaper than this are edges; chosen from the clips where left out.
     pub tau: Option<f64>,
@@ -26,6 +27,18 @@ pub struct GraphChoices {
     pub mirror: bool,
     /// Whether parts that τ leaves apart stay apart.
     pub no_bridges: bool,
+    /// Bytes that a build may take at its height, clips included: one that would take more is
+    /// refused before it begins.
+    pub memory_bytes: u64,
+}
+
+/// What a build may take of memory where nothing else is said: a million frames of motion capture.
+pub const DEFAULT_MEMORY_BYTES: u64 = 4 << 30;
+
+impl Default for GraphChoices {
+    fn default() -> Self {
+        Self { tau: None, mirror: false, no_bridges: false, memory_bytes: DEFAULT_MEMORY_BYTES }
+    }
 }
 
 /// Hears what a job is doing and the share of it that is done, 0 to 1.
@@ -70,9 +83,10 @@ pub fn build(
     cancel: &CancelToken,
     on_progress: OnProgress<'_>,
 ) -> Result<LibraryFile, BuildError> {
+    let options = affordable_options(&clips.set, choices)?;
     let clips = if choices.mirror { with_mirror_images(clips) } else { clips };
     let on_stage = |stage| tell(on_progress, stage);
-    let graph = graph::build(&clips.set, &build_options(choices), cancel, &on_stage)?;
+    let graph = graph::build(&clips.set, &options, cancel, &on_stage)?;
     Ok(clips.into_library(graph))
 }
 
@@ -84,9 +98,11 @@ pub fn build_part(
     cancel: &CancelToken,
     on_progress: OnProgress<'_>,
 ) -> Result<LibraryPart, BuildError> {
+    // Parts of one build must agree on the budget of edges, so that is not what memory is saved by.
+    affordable_options(&clips.set, choices)?;
+    let options = build_options(choices);
     let clips = if choices.mirror { with_mirror_images(clips) } else { clips };
     let on_stage = |stage| tell(on_progress, stage);
-    let options = build_options(choices);
     let graph = graph::build_part(&clips.set, &options, shard, cancel, &on_stage)?;
     let is_first = shard.nth() == 0;
     let clips = is_first.then_some((clips.set, clips.content_hashes));
@@ -130,9 +146,10 @@ pub fn extend(
     let set = ClipSet::new(clips.skeleton().clone(), clips.fps(), all)?;
     let content_hashes = [content_hashes, new.content_hashes].concat();
     let clips = Clips { set, content_hashes };
+    let options = affordable_options(&clips.set, choices)?;
     let clips = if choices.mirror { with_mirror_images(clips) } else { clips };
     let on_stage = |stage| tell(on_progress, stage);
-    let graph = graph::extend(&clips.set, &old, &build_options(choices), cancel, &on_stage)?;
+    let graph = graph::extend(&clips.set, &old, &options, cancel, &on_stage)?;
     Ok(clips.into_library(graph))
 }
 
@@ -163,6 +180,22 @@ fn build_options(choices: &GraphChoices) -> BuildOptions {
         bridges: !choices.no_bridges,
         ..BuildOptions::default()
     }
+}
+
+/// [`build_options`] with as much room for edges as memory leaves; an error where even the frames
+/// take more. Images that are still to be made count.
+fn affordable_options(clips: &ClipSet, choices: &GraphChoices) -> Result<BuildOptions, BuildError> {
+    let options = build_options(choices);
+    let n_images = |clip: &Clip| if clip.id.ends_with(MIRROR_SUFFIX) { 0 } else { clip.n_frames() };
+    let images: usize = clips.clips().iter().map(n_images).sum();
+    let n_frames = clips.n_frames() + if choices.mirror { images } else { 0 };
+    let needed_bytes = build_bytes(clips.skeleton(), n_frames, &options);
+    let allowed_bytes = choices.memory_bytes;
+    let Some(left) = allowed_bytes.checked_sub(needed_bytes) else {
+        return Err(BuildError::Memory { needed_bytes, allowed_bytes });
+    };
+    let left = usize::try_from(left).unwrap_or(usize::MAX);
+    Ok(BuildOptions { edge_budget_bytes: options.edge_budget_bytes.min(left), ..options })
 }
 
 fn tell(on_progress: OnProgress<'_>, stage: Stage) {

@@ -321,7 +321,7 @@ fn load(
     let choices = GraphChoices {
         tau: project.search.tau,
         mirror: request.mirror || project.search.mirror.unwrap_or(false),
-        no_bridges: false,
+        ..GraphChoices::default()
     };
     let fps = Fps::new(project.fps)
         .map_err(|bad| FileError::new(*path, bad.to_string(), "correct the project's fps"))?;

@@ -104,6 +104,18 @@ fn mirror_images_double_the_clips() {
 }
 
 #[test]
+fn a_build_that_would_take_too_much_memory_is_not_begun() {
+    let dir = dir_with_clips();
+    let ran = gaitway(&dir, "library build clips -o small.gwlib --memory 0.05 -q");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert_eq!(ran.stderr.lines().count(), 1, "{}", ran.stderr);
+    let says = |words: &str| ran.stderr.contains(words);
+    assert!(says("may take 0.05 GiB") && says("--memory"), "{}", ran.stderr);
+    assert!(!dir.join("small.gwlib").exists(), "nothing was begun");
+    gaitway(&dir, "library build clips -o small.gwlib --memory 0.5 -q").ok();
+}
+
+#[test]
 fn tau_and_bridges_can_be_set() {
     let dir = dir_with_clips();
     gaitway(&dir, "library build clips -o strict.gwlib --tau 1e-6 --no-bridges -q").ok();

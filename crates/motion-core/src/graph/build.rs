@@ -75,6 +75,18 @@ pub enum BuildError {
     /// The threshold is no cost.
     #[error("τ must be a positive number and is {0}; leave it out for the default")]
     BadTau(f64),
+    /// The build would take more memory than it may.
+    #[error(
+        "building this library takes about {} of memory and may take {}; allow more (--memory of `gaitway \
+         library build`) or leave clips out",
+        gib(*needed_bytes), gib(*allowed_bytes)
+    )]
+    Memory {
+        /// About what it would take.
+        needed_bytes: u64,
+        /// What it may take.
+        allowed_bytes: u64,
+    },
     /// The part of this number (from 0) does not belong to the clips or to the other parts.
     #[error(
         "a part is not of the same build as the others; build all parts from the same clips with \
@@ -87,6 +99,11 @@ pub enum BuildError {
     /// A bug in this module.
     #[error(transparent)]
     Forest(#[from] ForestError),
+}
+
+/// Bytes for people.
+fn gib(bytes: u64) -> String {
+    format!("{:.2} GiB", bytes as f64 / f64::from(1u32 << 30))
 }
 
 /// What a build is doing; the share of that stage that is done, 0 to 1.

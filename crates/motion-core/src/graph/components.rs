@@ -82,7 +82,7 @@ pub fn connectivity(forest: &Forest, clip_frames: &[u32], with_bridges: bool) ->
     summarise(&component, n_rows, &starts, clip_frames, &successor)
 }
 
-/// Rows that an edge leads from and to, for each pair of clips.
+/// Rows that an edge leads from and to, for runs of pairs of clips.
 ///
 /// Of the edges from one frame into one clip only that to the earliest frame is kept: from there
 /// the body walks on to all the others, so nothing that can be reached is lost.
@@ -92,28 +92,29 @@ fn jumps(
     starts: &[u32],
     with_bridges: bool,
 ) -> Vec<Vec<(u32, u32)>> {
-    let of_pair = |pair: &ClipPair| {
-        let end = if with_bridges { pair.end_node } else { pair.first_bridge };
-        let n_to = clip_frames[pair.to.idx()];
-        let mut earliest = vec![u32::MAX; clip_frames[pair.from.idx()] as usize];
-        for id in (pair.first_node..end).map(EdgeId).filter(|&id| forest.is_leaf(id)) {
-            let edge = forest.edge(id);
+    let of_pairs = |pairs: &[ClipPair]| {
+        let (mut all, mut own) = (Vec::new(), Vec::new());
+        for pair in pairs {
+            let end = if with_bridges { pair.end_node } else { pair.first_bridge };
+            let n_to = clip_frames[pair.to.idx()];
+            let (from, to) = (starts[pair.from.idx()], starts[pair.to.idx()]);
+            let leaves = (pair.first_node..end).map(EdgeId).filter(|&id| forest.is_leaf(id));
+            let edges = leaves.map(|id| forest.edge(id));
             // One frame is shown before the clip can be left again.
-            let shown = edge.to_frame.0 + 1;
-            if shown < n_to {
-                let slot = &mut earliest[edge.from_frame.idx()];
-                *slot = shown.min(*slot);
-            }
+            let led = edges.map(|edge| (edge.from_frame.0, edge.to_frame.0 + 1));
+            own.clear();
+            own.extend(led.filter(|&(_, shown)| shown < n_to));
+            own.sort_unstable();
+            own.dedup_by_key(|&mut (left, _)| left);
+            all.extend(own.iter().map(|&(left, shown)| (from + left, to + shown)));
         }
-        let (from, to) = (starts[pair.from.idx()], starts[pair.to.idx()]);
-        (from..)
-            .zip(earliest)
-            .filter(|&(_, shown)| shown != u32::MAX)
-            .map(|(row, shown)| (row, to + shown))
-            .collect()
+        all
     };
-    forest.pairs().par_iter().map(of_pair).collect()
+    forest.pairs().par_chunks(PAIRS_AT_ONCE).map(of_pairs).collect()
 }
+
+/// Pairs of a run: in large libraries most have an edge or two.
+const PAIRS_AT_ONCE: usize = 1024;
 
 /// Tarjan's algorithm without recursion. Components are numbered so that every edge leads to
 /// the same or a smaller number.

@@ -17,6 +17,7 @@ pub mod entrances;
 pub mod forest;
 mod grow;
 mod islands;
+pub mod memory;
 
 use std::ops::Range;
 

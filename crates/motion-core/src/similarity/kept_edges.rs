@@ -5,9 +5,11 @@
 //! clips, one frame on or back in either, is cheaper; what is no cut does not count.
 //!
 //! Blocks of frames whose boxes are too far apart for anything that could still come in are
-//! skipped; near blocks go first, so that later ones find lists full of cheap edges. Of the others
-//! f32 products tell what may matter, and that is decided in f64. So what is kept does not
-//! depend on the order or the number of threads, and is that of a double loop (`brute.rs`).
+//! skipped; near blocks go first, so that later ones find lists full of cheap edges. Of two near
+//! blocks only those pairs of frames are looked at that the projection does not keep apart
+//! ([`close_pairs`]). Their cost in f32 tells what may matter, and that is decided in f64. So what is
+//! kept does not depend on the order or the number of threads, and is that of a double loop
+//! (`brute.rs`).
 
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -15,16 +17,20 @@ use std::sync::{Mutex, PoisonError};
 use rayon::prelude::*;
 
 use super::best_edges::{BestEdges, Key, Limits};
+use super::close_pairs::{ClosePair, Side, close_pairs};
 use super::directed::{DirectedEdges, Kept};
 use super::features::FeatureSet;
-use super::frame_blocks::{BLOCK_ROWS, FrameBlocks};
-use super::product::row_products;
+use super::frame_blocks::{BLOCK_ROWS, FrameBlocks, Near};
+use super::rough_cost::rounding;
 use super::shard::Shard;
-use super::surface::{ROUNDING, Surface};
+use super::surface::Surface;
 use crate::cancel::{CancelToken, Cancelled};
 
 /// Shares of τ: blocks that are nearer than the first go first, and so on.
 const BANDS: [f32; 5] = [0.0, 0.03, 0.12, 0.4, 1.0];
+
+/// Blocks that follow each other, and so need much the same others, are worked on together.
+const TEAM_BLOCKS: usize = 4;
 
 /// What is asked of [`kept_edges`].
 pub(crate) struct KeptQuery<'a> {
@@ -51,24 +57,35 @@ pub(crate) fn kept_edges(
     let blocks = FrameBlocks::new(features, first_new_row);
     let join = Join::new(features, &blocks, query);
     let n_blocks = blocks.n_blocks();
-    let n_all = (BANDS.len() - 1) * n_blocks;
+    let n_teams = n_blocks.div_ceil(TEAM_BLOCKS);
+    let n_all = (BANDS.len() - 1) * n_teams;
     let n_done = AtomicUsize::new(0);
     for band in BANDS.windows(2) {
         let (from, to) = (join.tau * band[0], join.tau * band[1]);
-        let all = (0..n_blocks).into_par_iter().with_max_len(1);
-        all.for_each_init(Scratch::default, |scratch, a| {
-            for b in a.max(blocks.first_new)..n_blocks {
-                let least = blocks.least_cost(a, b);
-                let in_band = least <= to && (least > from || from == 0.0);
-                if in_band && join.is_wanted(a, b) && least <= join.limit(a).max(join.limit(b)) {
+        let all = (0..n_teams).into_par_iter().with_max_len(1);
+        all.for_each_init(Scratch::default, |scratch, team| {
+            let team = team * TEAM_BLOCKS..((team + 1) * TEAM_BLOCKS).min(n_blocks);
+            let mut near = std::mem::take(&mut scratch.near);
+            near.clear();
+            for a in team {
+                blocks.near(a, a.max(blocks.first_new), to, &mut near);
+            }
+            // One after the other what needs the same block, which then is at hand.
+            near.sort_unstable_by_key(|near| (near.b, near.a));
+            for &Near { a, b, least_cost } in &near {
+                let (a, b) = (a as usize, b as usize);
+                let in_band = least_cost > from || from == 0.0;
+                let limit = join.limit(a).max(join.limit(b));
+                if in_band && least_cost <= limit && join.is_wanted(a, b) {
                     if cancel.is_cancelled() {
                         return;
                     }
                     join.tile(a, b, scratch);
                 }
             }
+            scratch.near = near;
             let n_done = n_done.fetch_add(1, Ordering::Relaxed) + 1;
-            if n_done.is_multiple_of(64) {
+            if n_done.is_multiple_of(16) {
                 progress(n_done as f32 / n_all as f32);
             }
         });
@@ -82,7 +99,8 @@ pub(crate) fn kept_edges(
 /// Memory of one thread.
 #[derive(Default)]
 struct Scratch {
-    costs: Vec<f32>,
+    near: Vec<Near>,
+    pairs: Vec<ClosePair>,
     found: Vec<Found>,
 }
 
@@ -95,11 +113,37 @@ struct Found {
 }
 
 /// What each row of a block can still take.
-type RowLimits = [Limits; BLOCK_ROWS];
+#[derive(Clone)]
+struct Looks {
+    limits: [Limits; BLOCK_ROWS],
+    /// The higher of the two limits.
+    highest: [f32; BLOCK_ROWS],
+    /// The same as squared distances in the projection.
+    reaches: [f32; BLOCK_ROWS],
+}
+
+impl Looks {
+    const NONE: Self = Self {
+        limits: [Limits { minima: f32::NEG_INFINITY, others: f32::NEG_INFINITY }; BLOCK_ROWS],
+        highest: [f32::NEG_INFINITY; BLOCK_ROWS],
+        reaches: [-1.0; BLOCK_ROWS],
+    };
+
+    fn set(&mut self, place: usize, limits: Limits, blocks: &FrameBlocks) {
+        self.limits[place] = limits;
+        self.highest[place] = limits.minima.max(limits.others);
+        self.reaches[place] = blocks.reach(self.highest[place]);
+    }
+
+    /// The highest cost that any row can still take.
+    fn most(&self) -> f32 {
+        self.highest.iter().fold(f32::NEG_INFINITY, |most, &limit| most.max(limit))
+    }
+}
 
 struct BlockBest {
     best: BestEdges,
-    limits: RowLimits,
+    looks: Looks,
 }
 
 struct Join<'a> {
@@ -107,6 +151,7 @@ struct Join<'a> {
     blocks: &'a FrameBlocks,
     query: &'a KeptQuery<'a>,
     tau: f32,
+    rounding: f32,
     surface: Surface<'a>,
     best: Vec<Mutex<BlockBest>>,
     /// For each block the highest cost that any of its rows can still take (bits of an f32).
@@ -133,18 +178,18 @@ impl<'a> Join<'a> {
                     }
                 }
             }
-            let nothing = Limits { minima: f32::NEG_INFINITY, others: f32::NEG_INFINITY };
-            let mut limits = [nothing; BLOCK_ROWS];
-            for (nth, limits) in limits.iter_mut().enumerate().take(rows.len()) {
-                *limits = best.limits(nth, tau);
+            let mut looks = Looks::NONE;
+            for place in 0..rows.len() {
+                looks.set(place, best.limits(place, tau), blocks);
             }
-            Mutex::new(BlockBest { best, limits })
+            Mutex::new(BlockBest { best, looks })
         };
         let best: Vec<Mutex<BlockBest>> =
             (0..blocks.n_blocks()).into_par_iter().map(start).collect();
-        let highest = |best| AtomicU32::new(highest(&locked(best).limits).to_bits());
-        let limits = best.iter().map(highest).collect();
-        Self { features, blocks, query, tau, surface, best, limits }
+        let most = |best| AtomicU32::new(locked(best).looks.most().to_bits());
+        let limits = best.iter().map(most).collect();
+        let rounding = rounding(features.n_dims);
+        Self { features, blocks, query, tau, rounding, surface, best, limits }
     }
 
     fn is_wanted(&self, a: usize, b: usize) -> bool {
@@ -155,42 +200,25 @@ impl<'a> Join<'a> {
         f32::from_bits(self.limits[block].load(Ordering::Relaxed))
     }
 
-    /// Looks at all pairs of frames of two blocks.
+    /// Looks at the pairs of frames of two blocks.
     fn tile(&self, a: usize, b: usize, scratch: &mut Scratch) {
         let blocks = self.blocks;
-        let (norms_a, norms_b) = (blocks.norms(a), blocks.norms(b));
-        let Scratch { costs, found } = scratch;
-        costs.resize(norms_a.len() * norms_b.len(), 0.0);
-        row_products(blocks.values(a), blocks.values(b), self.features.n_dims, costs);
-        let most = |norms: &[f32]| norms.iter().fold(0.0f32, |most, &n| most.max(n));
-        let slack = ROUNDING * (most(norms_a) + most(norms_b));
-        let screen = self.limit(a).max(self.limit(b)).min(self.tau) + slack;
-        let limits = [a, b].map(|block| locked(&self.best[block]).limits);
+        let looks = [a, b].map(|block| locked(&self.best[block]).looks.clone());
+        let [side_a, side_b] = [(a, &looks[0]), (b, &looks[1])].map(|(block, looks)| {
+            let (lanes, bounds) = blocks.lanes(block);
+            let values = blocks.values(block);
+            Side { lanes, bounds, values, limits: &looks.highest, reaches: &looks.reaches }
+        });
+        let Scratch { pairs, found, .. } = scratch;
+        pairs.clear();
+        close_pairs(&side_a, &side_b, self.features.n_dims, a == b, pairs);
         let (rows_a, rows_b) = (blocks.rows(a), blocks.rows(b));
         found.clear();
-        for (i, line) in costs.chunks_exact_mut(norms_b.len()).enumerate() {
-            let mut least = f32::INFINITY;
-            for (cost, &other) in line.iter_mut().zip(norms_b) {
-                *cost = norms_a[i] + other - 2.0 * *cost;
-                least = least.min(*cost);
-            }
-            if least > screen {
-                continue;
-            }
-            let first = if a == b { i + 1 } else { 0 };
-            for (j, &cost) in line.iter().enumerate().skip(first) {
-                if cost > screen {
-                    continue;
-                }
-                let of_rows = [limits[0][i], limits[1][j]];
-                let edge = self.look_at(rows_a[i], rows_b[j], cost, slack, of_rows);
-                found.extend(edge.map(|(is_minimum, cost)| Found {
-                    a: i as u8,
-                    b: j as u8,
-                    is_minimum,
-                    cost,
-                }));
-            }
+        for &ClosePair { a, b, cost } in &*pairs {
+            let (at_a, at_b) = (usize::from(a), usize::from(b));
+            let of_rows = [looks[0].limits[at_a], looks[1].limits[at_b]];
+            let edge = self.look_at(rows_a[at_a], rows_b[at_b], cost, of_rows);
+            found.extend(edge.map(|(is_minimum, cost)| Found { a, b, is_minimum, cost }));
         }
         if !found.is_empty() {
             self.keep(a, found.iter().map(|f| (f.a, f.b, f)), b);
@@ -198,17 +226,11 @@ impl<'a> Join<'a> {
         }
     }
 
-    /// Decides about a pair of frames that costs `cost` within `slack`: whether it is a minimum,
-    /// and its true cost.
+    /// Decides about a pair of frames that costs about `cost`: whether it is a minimum, and its true
+    /// cost.
     #[inline]
-    fn look_at(
-        &self,
-        a: u32,
-        b: u32,
-        cost: f32,
-        slack: f32,
-        limits: [Limits; 2],
-    ) -> Option<(bool, f32)> {
+    fn look_at(&self, a: u32, b: u32, cost: f32, limits: [Limits; 2]) -> Option<(bool, f32)> {
+        let slack = self.rounding * cost;
         let at_least = cost - slack;
         let as_minimum = at_least <= limits[0].minima.max(limits[1].minima);
         let as_other = at_least <= limits[0].others.max(limits[1].others);
@@ -233,13 +255,13 @@ impl<'a> Join<'a> {
             return;
         }
         let rows = self.blocks.rows(to);
-        let BlockBest { best, limits } = &mut *locked(&self.best[from]);
+        let BlockBest { best, looks } = &mut *locked(&self.best[from]);
         for (here, there, found) in found {
             let here = usize::from(here);
             best.offer(here, Key::new(found.is_minimum, found.cost, rows[usize::from(there)]));
-            limits[here] = best.limits(here, self.tau);
+            looks.set(here, best.limits(here, self.tau), self.blocks);
         }
-        self.limits[from].store(highest(limits).to_bits(), Ordering::Relaxed);
+        self.limits[from].store(looks.most().to_bits(), Ordering::Relaxed);
     }
 
     fn finish(self) -> DirectedEdges {
@@ -264,8 +286,4 @@ impl<'a> Join<'a> {
 
 fn locked(best: &Mutex<BlockBest>) -> std::sync::MutexGuard<'_, BlockBest> {
     best.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn highest(limits: &RowLimits) -> f32 {
-    limits.iter().fold(f32::NEG_INFINITY, |most, limits| most.max(limits.minima).max(limits.others))
 }

@@ -4,11 +4,12 @@
 //! feature vectors: `C(s, t) = ‖x(s) − x(t)‖²`. [`features`] makes the vectors, [`families`]
 //! says which clips are copies of one take. [`distance_grid`] finds all pairs that are near;
 //! of large sets [`kept_edges`] finds the best few edges of each frame, with the help of
-//! `frame_blocks` and `projection`. `product` multiplies matrices.
+//! `frame_blocks`, `projection` and `close_pairs`. `product` multiplies matrices.
 
 mod best_edges;
 #[cfg(test)]
 mod brute;
+mod close_pairs;
 pub mod columns;
 pub mod directed;
 pub mod distance_grid;
@@ -18,6 +19,7 @@ mod frame_blocks;
 pub(crate) mod kept_edges;
 mod product;
 pub(crate) mod projection;
+mod rough_cost;
 pub(crate) mod sampled_nearest;
 pub mod shard;
 mod surface;

@@ -1,14 +1,18 @@
 //! A few numbers a frame whose distances are never more than the cost: what prunes.
 //!
 //! An orthonormal projection never lengthens a vector, so `‖P(x − y)‖² ≤ ‖x − y‖² = C`: what is
-//! too far apart in it is too far apart. The axes are those along which a sample of the frames
+//! too far apart in it is too far apart. What it leaves of a vector, `Rx = x − PᵀPx`, counts by its
+//! length: `‖P(x − y)‖² + (‖Rx‖ − ‖Ry‖)² ≤ C`. The axes are those along which a sample of the frames
 //! varies most (principal components), found by orthogonal iteration; they decide how much is
 //! pruned and never what is found.
 
 use super::features::FeatureSet;
 
 /// Dimensions that are kept. On motion capture 16 of 102 hold about nine tenths of the variance.
-pub(super) const N_AXES: usize = 16;
+const N_AXES: usize = 16;
+
+/// Numbers a frame: one along each axis, and the length of what the axes leave.
+pub(super) const N_COORDS: usize = N_AXES + 1;
 
 /// Frames that the axes are found from.
 const N_SAMPLES: usize = 8192;
@@ -33,7 +37,7 @@ pub(crate) fn spread_rows(n_rows: usize, n_samples: usize) -> Vec<usize> {
     rows
 }
 
-/// An orthonormal projection to [`N_AXES`] numbers.
+/// An orthonormal projection, and the length of what it leaves: [`N_COORDS`] numbers.
 pub(super) struct Projection {
     n_dims: usize,
     /// Axis after axis; axes that the data has no use for are zero.
@@ -72,12 +76,18 @@ impl Projection {
         Self { n_dims, axes }
     }
 
-    /// The projected vector of a row, rounded to f32.
-    pub(super) fn project(&self, row: &[f32]) -> [f32; N_AXES] {
-        let mut projected = [0.0; N_AXES];
+    /// The coordinates of a row, rounded to f32.
+    pub(super) fn project(&self, row: &[f32]) -> [f32; N_COORDS] {
+        let mut projected = [0.0; N_COORDS];
+        let mut rest: Vec<f64> = row.iter().map(|&x| f64::from(x)).collect();
         for (value, axis) in projected.iter_mut().zip(self.axes.chunks_exact(self.n_dims.max(1))) {
-            *value = dot(axis, row) as f32;
+            let along = dot(axis, row);
+            *value = along as f32;
+            for (x, a) in rest.iter_mut().zip(axis) {
+                *x -= along * a;
+            }
         }
+        projected[N_AXES] = rest.iter().map(|x| x * x).sum::<f64>().sqrt() as f32;
         projected
     }
 }

@@ -1,17 +1,15 @@
 //! The costs between all frames as a surface over pairs of frames: which of them are its minima.
 
 use super::features::FeatureSet;
+use super::rough_cost::{rough_cost, rounding};
 use crate::ids::ClipId;
-
-/// How far an f32 cost may lie from the true one, as a share of the two squared norms.
-pub(super) const ROUNDING: f32 = 4e-6;
 
 /// The surface of a set of frames.
 pub(super) struct Surface<'a> {
     features: &'a FeatureSet,
     min_jump: u32,
     clip_of_row: Vec<u32>,
-    norms: Vec<f32>,
+    rounding: f32,
 }
 
 impl<'a> Surface<'a> {
@@ -21,9 +19,7 @@ impl<'a> Surface<'a> {
         for (clip, bounds) in features.frame_starts.windows(2).enumerate() {
             clip_of_row.resize(bounds[1], clip as u32);
         }
-        let norm = |row: usize| features.row(row).iter().map(|x| x * x).sum();
-        let norms = (0..features.n_rows()).map(norm).collect();
-        Self { features, min_jump, clip_of_row, norms }
+        Self { features, min_jump, clip_of_row, rounding: rounding(features.n_dims) }
     }
 
     /// Whether two rows show the same moment, so that there is no cut between them.
@@ -50,19 +46,8 @@ impl<'a> Surface<'a> {
     /// The f32 cost between two rows, and how far it may lie from the true one.
     #[inline]
     fn rough_cost(&self, a: u32, b: u32) -> (f32, f32) {
-        let mut lanes = [0.0f32; 8];
-        let (x, y) = (self.features.row(a as usize), self.features.row(b as usize));
-        let (chunks_x, chunks_y) = (x.chunks_exact(8), y.chunks_exact(8));
-        let rest = chunks_x.remainder().iter().zip(chunks_y.remainder());
-        let rest: f32 = rest.map(|(x, y)| x * y).sum();
-        for (x, y) in chunks_x.zip(chunks_y) {
-            for lane in 0..8 {
-                lanes[lane] += x[lane] * y[lane];
-            }
-        }
-        let dot = lanes.iter().sum::<f32>() + rest;
-        let norms = self.norms[a as usize] + self.norms[b as usize];
-        (norms - 2.0 * dot, ROUNDING * norms)
+        let cost = rough_cost(self.features.row(a as usize), self.features.row(b as usize));
+        (cost, self.rounding * cost)
     }
 
     /// Whether neither neighbour along both clips is surely cheaper than `cost`, which is right to

@@ -372,7 +372,7 @@ fn library_wish(document: &Document, path: &Path) -> LibraryWish {
         choices: GraphChoices {
             tau: document.search().tau,
             mirror: document.search().mirror.unwrap_or(false),
-            no_bridges: false,
+            ..GraphChoices::default()
         },
     }
 }

@@ -46,7 +46,12 @@ pub(super) fn run(console: &Console, args: &LibraryBuild) -> Result<(), Failure>
             return Err(failure);
         }
     };
-    let choices = GraphChoices { tau: args.tau, mirror: args.mirror, no_bridges: args.no_bridges };
+    let choices = GraphChoices {
+        tau: args.tau,
+        mirror: args.mirror,
+        no_bridges: args.no_bridges,
+        memory_bytes: (args.memory * f64::from(1u32 << 30)) as u64,
+    };
     if let Some(shard) = args.shard {
         let part = library_job::build_part(clips, &choices, shard, &cancel, &on_progress)
             .map_err(JobError::from)?;

@@ -5,7 +5,7 @@ use super::route::Route;
 use crate::bodies::LANES;
 
 /// Frames between those that are looked at: nothing that a body does is over sooner.
-const STRIDE: u32 = 4;
+const STRIDE: u32 = 6;
 
 /// Long motions are looked at no less often than at so many frames.
 const ENOUGH_FRAMES: u32 = 64;
@@ -138,10 +138,10 @@ mod tests {
 
     #[test]
     fn long_motions_are_looked_at_less_often() {
-        for (n_frames, stride) in [(1, 4), (255, 4), (511, 4), (512, 8), (2_048, 32), (36_000, 512)]
+        for (n_frames, stride) in [(1, 6), (383, 6), (767, 6), (768, 12), (3_072, 48), (36_000, 384)]
         {
             assert_eq!(stride_of(n_frames), stride, "{n_frames}");
-            assert!(n_frames < 256 || n_frames / stride >= ENOUGH_FRAMES, "{n_frames}");
+            assert!(n_frames < 384 || n_frames / stride >= ENOUGH_FRAMES, "{n_frames}");
         }
     }
 }

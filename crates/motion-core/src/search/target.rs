@@ -263,7 +263,7 @@ impl Target {
 
     /// Whether a body that is there during `BLOCK << level` frames from `first` on may be in the way
     /// of something.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn may_meet(&self, place: &Whereabouts, first: i64, level: usize) -> bool {
         let mut solids = self.solids.iter();
         solids.any(|solid| solid.is_near(place.ground_m, place.joints_radius_m, place.top_m))

@@ -138,7 +138,8 @@ mod tests {
 
     #[test]
     fn long_motions_are_looked_at_less_often() {
-        for (n_frames, stride) in [(1, 6), (383, 6), (767, 6), (768, 12), (3_072, 48), (36_000, 384)]
+        for (n_frames, stride) in
+            [(1, 6), (383, 6), (767, 6), (768, 12), (3_072, 48), (36_000, 384)]
         {
             assert_eq!(stride_of(n_frames), stride, "{n_frames}");
             assert!(n_frames < 384 || n_frames / stride >= ENOUGH_FRAMES, "{n_frames}");

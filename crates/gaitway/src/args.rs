@@ -82,7 +82,7 @@ pub(crate) enum Command {
         gaitway render out/A-1.bvh -o pose.png --frame 80 --ghosts 5\n  \
         gaitway render corner.gaitway -o corner.mp4 --character hero.glb --size 1920x1080")]
     Render(render::Render),
-    /// Open a window to look at a project's motions (unfinished)
+    /// Open a window to author a project's motions
     #[cfg(feature = "editor")]
     #[command(after_help = "Examples:\n  \
         gaitway edit                     (the built-in sample)\n  \

@@ -17,7 +17,8 @@ pub fn top_bar_ui(ui: &mut Ui, state: &mut EditorState) {
             ui.menu_button(name, |ui| {
                 // What is longer than a small window is high can still be reached.
                 let room = ui.ctx().content_rect().height() - 2.0 * theme::TOP_BAR_HEIGHT;
-                ScrollArea::vertical().max_height(room).show(ui, |ui| {
+                let whole = ScrollArea::vertical().max_height(room).min_scrolled_height(room);
+                whole.show(ui, |ui| {
                     menu_ui(ui, &groups, state);
                     if name == "File" {
                         recent_ui(ui, state);
